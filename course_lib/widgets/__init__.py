@@ -1,0 +1,1 @@
+"""Explorers: sliders that move a picture. They call drawing and the mathematics."""

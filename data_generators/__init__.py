@@ -1,0 +1,1 @@
+"""Synthetic truth: targets, scenes, rendered photographs, simulated classes."""
