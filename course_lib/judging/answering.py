@@ -1,0 +1,188 @@
+"""Answer: run a student's function on the cases. Whatever it does, a list of answers comes back."""
+
+from __future__ import annotations
+
+import copy
+import linecache
+import sys
+import traceback
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from dataclasses import dataclass, replace
+from types import FrameType
+from typing import Any, Literal
+
+import numpy as np
+
+from course_lib.judging.exercise import Case, Exercise
+from course_lib.judging.limits import (
+    BoundedText,
+    Limits,
+    NotPlainError,
+    TimeLimitReached,
+    TooLargeError,
+    plain,
+    time_limit,
+)
+
+Status = Literal["value", "not attempted", "raised", "time limit", "not plain", "too large"]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came back for one case, as plain data.
+
+    Parameters
+    ----------
+    status : str
+        ``"value"``, or why there is none.
+    value : object
+        The result, made of arrays, numbers, texts, tuples, lists and dictionaries.
+    error : str
+        The name of the exception, where one was raised.
+    message : str
+        Its text; may contain the inputs.
+    line : str
+        The line of the student's code that raised it.
+    printed : str
+        The beginning of what was printed or warned.
+    changed_inputs : tuple of str
+        Parameters whose value the function changed in place.
+    called : tuple of str
+        Ready-made answers that the function called.
+    """
+
+    status: Status
+    value: Any = None
+    error: str = ""
+    message: str = ""
+    line: str = ""
+    printed: str = ""
+    changed_inputs: tuple[str, ...] = ()
+    called: tuple[str, ...] = ()
+
+
+def answer(
+    exercise: Exercise,
+    function: Callable[..., Any],
+    cases: Sequence[Case],
+    limits: Limits | None = None,
+) -> list[Answer]:
+    """Run a function on the cases of an exercise.
+
+    Parameters
+    ----------
+    exercise : Exercise
+        What is answered.
+    function : callable
+        The student's function. It may raise, loop, print, change its inputs, return anything.
+    cases : sequence of Case
+        From `pose`.
+    limits : Limits, optional
+        Bounds for each call. After a call that took too long the rest is not tried.
+
+    Returns
+    -------
+    list of Answer
+        One for each case.
+    """
+    limits = limits or Limits()
+    answers: list[Answer] = []
+    for case in cases:
+        if answers and answers[-1].status == "time limit":
+            answers.append(Answer("time limit"))
+        else:
+            answers.append(_answer_case(exercise, function, case, limits))
+    return answers
+
+
+def _answer_case(
+    exercise: Exercise, function: Callable[..., Any], case: Case, limits: Limits
+) -> Answer:
+    posed = replace(case, inputs=copy.deepcopy(case.inputs))
+    output, called = BoundedText(limits.characters), set[str]()
+    with _quiet(output):
+        given = _outcome(exercise, function, posed, limits, called)
+    changed = tuple(name for name in case.inputs if not _same(case, posed, name))
+    return replace(
+        given, printed=output.text(), changed_inputs=changed, called=tuple(sorted(called))
+    )
+
+
+def _outcome(
+    exercise: Exercise,
+    function: Callable[..., Any],
+    case: Case,
+    limits: Limits,
+    called: set[str],
+) -> Answer:
+    try:
+        with time_limit(limits.seconds), _watch_calls(exercise, called):
+            result = exercise.as_answer(function, case)
+        return Answer("value", plain(result, limits.bytes))
+    except TimeLimitReached:
+        return Answer("time limit", message=f"{limits.seconds:g}")
+    except NotImplementedError:
+        return Answer("not attempted")
+    except NotPlainError as error:
+        return Answer("not plain", message=str(error))
+    except TooLargeError as error:
+        return Answer("too large", message=str(error))
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # also SystemExit: a student's exit() ends the answer only
+        name, line = type(error).__name__, _student_line(error)
+        return Answer("raised", error=name, message=str(error)[:300], line=line)
+
+
+@contextmanager
+def _quiet(output: BoundedText) -> Iterator[None]:
+    """Catch what is printed and warned; a grade cell must not write to stderr."""
+    with (
+        redirect_stdout(output),
+        redirect_stderr(output),
+        warnings.catch_warnings(record=True) as caught,
+        np.errstate(all="warn"),
+    ):
+        warnings.simplefilter("always")
+        yield
+    for text in dict.fromkeys(str(warning.message) for warning in caught):
+        output.write(f"Warning: {text}\n")
+
+
+@contextmanager
+def _watch_calls(exercise: Exercise, called: set[str]) -> Iterator[None]:
+    """Note calls of the reference or of a forbidden function, whatever name they go by."""
+    reference = exercise.reference
+    forbidden = {name.rpartition(".")[2]: name for name in exercise.forbidden}
+
+    def watch(frame: FrameType, event: str, argument: Any) -> None:
+        if event == "call" and frame.f_code is reference.__code__:
+            called.add(f"{reference.__module__}.{reference.__name__}")
+        elif event == "c_call" and getattr(argument, "__name__", "") in forbidden:
+            called.add(forbidden[argument.__name__])
+
+    before = sys.getprofile()
+    sys.setprofile(watch)
+    try:
+        yield
+    finally:
+        sys.setprofile(before)
+
+
+def _same(case: Case, posed: Case, name: str) -> bool:
+    before, after = case.inputs[name], posed.inputs[name]
+    try:
+        return bool(np.array_equal(before, after, equal_nan=True))
+    except TypeError:  # not numbers
+        return bool(before == after)
+
+
+def _student_line(error: BaseException) -> str:
+    """Return the last line outside this package and NumPy that led to an error."""
+    for frame, number in reversed(list(traceback.walk_tb(error.__traceback__))):
+        module = frame.f_globals.get("__name__", "").partition(".")[0]
+        if module not in ("course_lib", "numpy"):
+            return linecache.getline(frame.f_code.co_filename, number).strip()
+    return ""

@@ -1,0 +1,221 @@
+"""Ways to compare an answer with the truth. Each returns None or a `Mismatch` that says why.
+
+A comparison is a frozen dataclass that is called with ``(got, expected)``. It checks in the order
+type, shape, values, so that the first thing to mend comes first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class Mismatch:
+    """Why an answer is not right, in words that give none of the values away."""
+
+    kind: Literal["type", "shape", "values"]
+    message: str
+
+
+Comparison = Callable[[Any, Any], Mismatch | None]
+
+
+def describe(value: Any) -> str:
+    """Name the type of a plain value as a student would: 'a number', 'an array of shape (4, 2)'."""
+    if value is None:
+        return "None"
+    if isinstance(value, bool):
+        return "True or False"
+    if isinstance(value, int | float | complex):
+        return "a number"
+    if isinstance(value, np.ndarray):
+        return f"an array of shape {value.shape}" if value.ndim else "a number"
+    if isinstance(value, tuple | list):
+        return f"a {type(value).__name__} of {len(value)} values"
+    if isinstance(value, str | dict):
+        return "a text" if isinstance(value, str) else "a dictionary"
+    return f"a {type(value).__name__}"
+
+
+def _numeric(got: Any, expected: NDArray[Any]) -> NDArray[Any] | Mismatch:
+    """Return `got` as a float array with the shape of `expected`, or say why it is not one."""
+    if got is None:
+        message = (
+            f"The answer is None, and {describe(expected)} was expected. Is the `return` missing?"
+        )
+        return Mismatch("type", message)
+    wrong_type = Mismatch(
+        "type", f"The answer is {describe(got)}; {describe(expected)} was expected."
+    )
+    if isinstance(got, str | dict | bool):
+        return wrong_type
+    try:
+        array = np.asarray(got)
+    except ValueError:  # rows of different length
+        return wrong_type
+    if array.dtype.kind not in "iuf":
+        return wrong_type
+    if array.shape != expected.shape:
+        hint = " Points are rows here: is it transposed?" if _is_transposed(array, expected) else ""
+        return Mismatch("shape", wrong_type.message + hint)
+    return array.astype(float)
+
+
+def _is_transposed(array: NDArray[Any], expected: NDArray[Any]) -> bool:
+    return array.ndim == 2 and array.shape == expected.shape[::-1]
+
+
+@dataclass(frozen=True)
+class Close:
+    """Numbers and arrays of numbers that agree within a tolerance; NaN only where NaN is right.
+
+    Tuples, lists and dictionaries of numbers are compared element by element.
+    """
+
+    rtol: float = 1e-6
+    atol: float = 1e-9
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return why `got` is not `expected`, or None."""
+        if isinstance(expected, dict):
+            return self._keys(got, expected)
+        if isinstance(expected, tuple):
+            return self._elements(got, expected)
+        truth = np.asarray(expected, dtype=float)
+        array = _numeric(got, truth)
+        if isinstance(array, Mismatch):
+            return array
+        right = np.isclose(array, truth, rtol=self.rtol, atol=self.atol, equal_nan=True)
+        return None if right.all() else self._values(array, truth, right)
+
+    def _values(self, array: NDArray[Any], truth: NDArray[Any], right: NDArray[Any]) -> Mismatch:
+        if np.isnan(array[~right]).all() and not np.isnan(truth[~right]).any():
+            return Mismatch("values", "Some values are NaN (not a number) that should be numbers.")
+        if np.isnan(truth[~right]).all():
+            return Mismatch("values", "Some values are numbers that should be NaN (no answer).")
+        if array.ndim == 0:
+            return Mismatch("values", "The number is not the right one.")
+        share = f"{np.count_nonzero(~right)} of {right.size}"
+        return Mismatch("values", f"The shape is right, but {share} values are not.")
+
+    def _keys(self, got: Any, expected: dict[Any, Any]) -> Mismatch | None:
+        if not isinstance(got, dict) or set(got) != set(expected):
+            names = ", ".join(map(str, expected))
+            return Mismatch("type", f"A dictionary with the keys {names} was expected.")
+        return next((miss for k in expected if (miss := self(got[k], expected[k]))), None)
+
+    def _elements(self, got: Any, expected: tuple[Any, ...]) -> Mismatch | None:
+        if not isinstance(got, tuple | list | np.ndarray) or len(got) != len(expected):
+            message = f"The answer is {describe(got)}; {len(expected)} values were expected."
+            return Mismatch("type", message)
+        pairs = zip(got, expected, strict=True)
+        return next((miss for g, e in pairs if (miss := self(g, e))), None)
+
+
+@dataclass(frozen=True)
+class Exactly:
+    """The same value of the same kind: texts, truth values, whole numbers."""
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return why `got` is not `expected`, or None."""
+        if describe(got) != describe(expected):
+            message = f"The answer is {describe(got)}; {describe(expected)} was expected."
+            return Mismatch("type", message)
+        same = np.array_equal(got, expected) if isinstance(got, np.ndarray) else got == expected
+        return None if same else Mismatch("values", "The answer is not the right one.")
+
+
+@dataclass(frozen=True)
+class UpToScale:
+    """Homogeneous arrays: equal after scaling to unit norm, with either sign."""
+
+    tolerance: float = 1e-6
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return why `got` is not `expected`, or None."""
+        truth = np.asarray(expected, dtype=float)
+        array = _numeric(got, truth)
+        if isinstance(array, Mismatch):
+            return array
+        norm = np.linalg.norm(array)
+        if not np.isfinite(norm) or norm == 0:
+            return Mismatch("values", "All values are zero, or some are not finite.")
+        unit, unit_truth = array / norm, truth / np.linalg.norm(truth)
+        if (
+            min(np.linalg.norm(unit - unit_truth), np.linalg.norm(unit + unit_truth))
+            < self.tolerance
+        ):
+            return None
+        return Mismatch("values", "The answer is not a multiple of the right one.")
+
+
+@dataclass(frozen=True)
+class RotationClose:
+    """Rotation matrices: orthonormal, determinant +1, within an angle (radians) of the truth."""
+
+    tolerance: float = 1e-6
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return why `got` is not `expected`, or None."""
+        truth = np.asarray(expected, dtype=float)
+        array = _numeric(got, truth)
+        if isinstance(array, Mismatch):
+            return array
+        if not np.allclose(array.T @ array, np.eye(len(truth)), atol=1e-6):
+            return Mismatch("values", "This is not a rotation: its columns are not orthonormal.")
+        if np.linalg.det(array) < 0:
+            return Mismatch("values", "This is a reflection: its determinant is −1.")
+        # ‖R₁ − R₂‖_F = 2 √2 sin(θ/2) for the angle θ between two rotations.
+        if np.linalg.norm(array - truth) < 2 * np.sqrt(2) * np.sin(self.tolerance / 2):
+            return None
+        return Mismatch("values", "This is a rotation, but not the right one.")
+
+
+@dataclass(frozen=True)
+class RaySet:
+    """Directions as rows, in any order and of any length; opposite directions differ."""
+
+    tolerance: float = 1e-6
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return why `got` is not `expected`, or None."""
+        truth = np.asarray(expected, dtype=float)
+        array = _numeric(got, truth)
+        if isinstance(array, Mismatch):
+            return array
+        lengths = np.linalg.norm(array, axis=1)
+        if not np.isfinite(lengths).all() or (lengths == 0).any():
+            return Mismatch("values", "A direction has no length, or is not finite.")
+        unit = array / lengths[:, None]
+        unit_truth = truth / np.linalg.norm(truth, axis=1, keepdims=True)
+        near = np.linalg.norm(unit[:, None] - unit_truth, axis=2) < self.tolerance
+        if near.any(axis=0).all() and near.any(axis=1).all():
+            return None
+        return Mismatch("values", "The directions are not the right ones.")
+
+
+@dataclass(frozen=True)
+class ImageClose:
+    """Pictures whose mean absolute difference stays below a number of grey levels (of 255)."""
+
+    levels: float = 1.0
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return why `got` is not `expected`, or None."""
+        truth = np.asarray(expected)
+        array = _numeric(got, truth)
+        if isinstance(array, Mismatch):
+            return array
+        if isinstance(got, np.ndarray) and got.dtype != truth.dtype:
+            message = f"The picture is {got.dtype}; {truth.dtype} was expected."
+            return Mismatch("type", message)
+        scale = 1.0 if truth.dtype == np.uint8 else 255.0
+        difference = np.abs(array - truth.astype(float)).mean() * scale
+        if np.isfinite(difference) and difference <= self.levels:
+            return None
+        return Mismatch("values", "The picture differs from the right one.")

@@ -1,0 +1,171 @@
+"""Judge: answers against the truth, part by part, with the misconception behind a wrong one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from course_lib.judging.answering import Answer
+from course_lib.judging.exercise import Case, Exercise
+from course_lib.judging.matching import find_misconception
+
+Kind = Literal[
+    "right", "not attempted", "raised", "time limit", "type", "shape", "values", "ready-made"
+]
+
+
+@dataclass(frozen=True)
+class Feedback:
+    """What a part's answer was like: a kind, a sentence, and (where shown) the example."""
+
+    kind: Kind
+    message: str
+    case: Case | None = None
+    got: Any = None
+    expected: Any = None
+
+    @property
+    def has_example(self) -> bool:
+        """Whether inputs, the answer and the expected answer may be shown."""
+        return self.case is not None
+
+
+@dataclass(frozen=True)
+class PartVerdict:
+    """One part: its name, points earned and possible, and why."""
+
+    name: str
+    points: float
+    possible: float
+    feedback: Feedback
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What an answer is worth, and what would help."""
+
+    exercise: str
+    parts: tuple[PartVerdict, ...]
+    hint: str = ""
+    misconception: str = ""
+    notes: tuple[str, ...] = ()
+    printed: str = ""
+
+    @property
+    def points(self) -> float:
+        """Points earned."""
+        return round(sum(part.points for part in self.parts), 6)
+
+    @property
+    def possible(self) -> float:
+        """Points of a full answer."""
+        return round(sum(part.possible for part in self.parts), 6)
+
+    @property
+    def attempted(self) -> bool:
+        """Whether anything was answered."""
+        return any(part.feedback.kind != "not attempted" for part in self.parts)
+
+
+def judge(
+    exercise: Exercise, cases: Sequence[Case], answers: Sequence[Answer], *, reveal: bool = True
+) -> Verdict:
+    """Compare answers with the truth.
+
+    Parameters
+    ----------
+    exercise : Exercise
+        What was asked.
+    cases : sequence of Case
+        From `pose`.
+    answers : sequence of Answer
+        From `answer`, in the same order.
+    reveal : bool
+        Whether feedback may show inputs, results and what was printed: yes for the seeds that a
+        student sees, no for grading seeds.
+
+    Returns
+    -------
+    Verdict
+        Points by part, feedback in the order attempted, raised, type and shape, values, and the
+        hint of the misconception that the answers agree with.
+    """
+    pairs = zip(cases, answers, strict=True)
+    judged = [_judge_case(exercise, case, given, reveal) for case, given in pairs]
+    ready_made = sorted({name for given in answers for name in given.called})
+    parts = tuple(_part_verdict(exercise, p, judged, reveal, ready_made) for p in exercise.parts)
+    wrong = [i for i, f in enumerate(judged) if f.kind not in ("right", "not attempted")]
+    found = None if ready_made else find_misconception(exercise, cases, answers, wrong)
+    return Verdict(
+        exercise.name,
+        parts,
+        hint=found.hint if found else "",
+        misconception=found.name if found else "",
+        notes=_notes(answers),
+        printed=next((a.printed for a in answers if a.printed), "") if reveal else "",
+    )
+
+
+def expected_answer(exercise: Exercise, case: Case) -> Any:
+    """Return the right answer for a case: known by construction, or the reference's."""
+    if case.known:
+        return case.truth
+    return exercise.as_answer(exercise.reference, case)
+
+
+def _part_verdict(
+    exercise: Exercise, name: str, judged: list[Feedback], reveal: bool, ready_made: list[str]
+) -> PartVerdict:
+    possible = exercise.part_points(name)
+    if ready_made:
+        called = " and ".join(ready_made)
+        message = f"This calls `{called}`. Write the steps yourself: that is the exercise."
+        return PartVerdict(name, 0.0, possible, Feedback("ready-made", message))
+    own = [feedback for feedback in judged if feedback.case and feedback.case.part == name]
+    wrong = next((feedback for feedback in own if feedback.kind != "right"), None)
+    shown = wrong or own[0]
+    if not reveal or shown.kind == "not attempted":
+        shown = Feedback(shown.kind, shown.message)
+    return PartVerdict(name, 0.0 if wrong else possible, possible, shown)
+
+
+def _judge_case(exercise: Exercise, case: Case, given: Answer, reveal: bool) -> Feedback:
+    if given.status != "value" or (given.value is None and exercise.none_is_untouched):
+        return Feedback(_KINDS[given.status], _sentence(given, reveal), case)
+    expected = expected_answer(exercise, case)
+    mismatch = exercise.compare(given.value, expected)
+    if mismatch is None:
+        return Feedback("right", "Right.", case, given.value, expected)
+    return Feedback(mismatch.kind, mismatch.message, case, given.value, expected)
+
+
+_KINDS: dict[str, Kind] = {
+    "value": "not attempted",
+    "not attempted": "not attempted",
+    "raised": "raised",
+    "time limit": "time limit",
+    "not plain": "type",
+    "too large": "type",
+}
+
+
+def _sentence(given: Answer, reveal: bool) -> str:
+    where = f" in the line `{given.line}`" if given.line else ""
+    why = f": {given.message}" if given.message and reveal else ""  # a message can hold the inputs
+    return {
+        "value": "Not answered yet.",
+        "not attempted": "Not answered yet: the function still raises NotImplementedError.",
+        "raised": f"The function stopped with {given.error}{where}{why}.",
+        "time limit": f"No answer after {given.message or 'some'} seconds. Does a loop never end?",
+        "not plain": f"The answer is of the type {given.message}; arrays and numbers are expected.",
+        "too large": f"The answer is far too large ({given.message}).",
+    }[given.status]
+
+
+def _notes(answers: Sequence[Answer]) -> tuple[str, ...]:
+    changed = sorted({name for given in answers for name in given.changed_inputs})
+    if not changed:
+        return ()
+    names = " and ".join(f"`{name}`" for name in changed)
+    return (f"The function changes its input {names}; work on a copy, or on a new array.",)

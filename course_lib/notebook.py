@@ -1,0 +1,127 @@
+"""What a notebook of the course calls: `check` an answer, show a `solution`."""
+
+from __future__ import annotations
+
+import getpass
+import inspect
+import os
+import sys
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from course_lib.exercises import find
+from course_lib.judging import Exercise, ValuesExercise, Verdict, answer, judge, pose, seed_for
+from course_lib.judging.html import to_html
+from course_lib.judging.text import to_text
+
+#: Set while submissions are graded: the seed of this student's hidden inputs.
+GRADING_SEED = "COURSE_GRADING_SEED"
+
+
+def check(name: str, namespace: Mapping[str, Any] | None = None) -> float:
+    """Check an answer, show what is right, what is not and why, and return the points.
+
+    Parameters
+    ----------
+    name : str
+        The exercise, e.g. ``"pinhole.project_pinhole"``.
+    namespace : mapping, optional
+        Where the answer is looked up; the caller's variables unless told otherwise.
+
+    Returns
+    -------
+    float
+        Points earned: a plain float, because that is what a grade cell must end in.
+
+    Raises
+    ------
+    ValueError
+        If there is no such exercise, or it is graded by a person.
+    """
+    exercise = find(name)
+    if not isinstance(exercise, Exercise):
+        raise ValueError(f"{name} is answered in words; a person reads and grades it")
+    if namespace is None:
+        namespace = inspect.stack()[1].frame.f_globals
+    verdict = verdict_of(exercise, namespace)
+    _show(to_html(verdict), to_text(verdict))
+    return float(verdict.points)
+
+
+def solution(name: str) -> None:
+    """Show the course's own solution of an exercise.
+
+    Parameters
+    ----------
+    name : str
+        The exercise, e.g. ``"pinhole.project_pinhole"``.
+
+    Raises
+    ------
+    ValueError
+        If there is no such exercise.
+    """
+    exercise = find(name)
+    if isinstance(exercise, Exercise):
+        source = inspect.getsource(exercise.reference)
+        from pygments import highlight
+        from pygments.formatters import HtmlFormatter
+        from pygments.lexers import PythonLexer
+
+        _show(highlight(source, PythonLexer(), HtmlFormatter(noclasses=True)), source)
+    else:
+        _show(f"<p>{exercise.model_answer}</p>", exercise.model_answer)
+
+
+def verdict_of(exercise: Exercise, namespace: Mapping[str, Any]) -> Verdict:
+    """Pose an exercise, let the function or the variables of a namespace answer it, and judge.
+
+    Parameters
+    ----------
+    exercise : Exercise
+        What is asked.
+    namespace : mapping
+        Where the student's function (or variables) are.
+
+    Returns
+    -------
+    Verdict
+        With examples for the seed that a student sees, without when submissions are graded.
+    """
+    key = os.environ.get(GRADING_SEED)
+    seed = seed_for(key, exercise.name) if key else seed_for(_student(), exercise.name)
+    cases = pose(exercise, seed)
+    answers = answer(exercise, _answering(exercise, namespace), cases)
+    return judge(exercise, cases, answers, reveal=not key)
+
+
+def _answering(exercise: Exercise, namespace: Mapping[str, Any]) -> Callable[..., Any]:
+    """Return what answers the exercise; one that is missing is one that was not attempted."""
+    if isinstance(exercise, ValuesExercise):
+        return lambda **_: {variable: namespace.get(variable) for variable in exercise.units}
+    function = namespace.get(exercise.function_name)
+    if not callable(function):
+
+        def function(*_: Any) -> Any:
+            raise NotImplementedError
+
+    return function
+
+
+def _student(environment: Mapping[str, str] = os.environ) -> str:
+    """Return who is working here, so that inputs differ from student to student."""
+    named = environment.get("COURSE_STUDENT") or environment.get("JUPYTERHUB_USER")
+    try:
+        return named or getpass.getuser()
+    except (KeyError, OSError, ImportError):  # no user name on this system
+        return "reader"
+
+
+def _show(html: str, text: str) -> None:
+    """Show a block as HTML in a notebook, as text in a terminal."""
+    if "ipykernel" in sys.modules:
+        from IPython.display import display
+
+        display({"text/html": html, "text/plain": text}, raw=True)
+    else:
+        print(text)
