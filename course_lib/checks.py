@@ -42,12 +42,9 @@ def check_numbers(value: ArrayLike, name: str) -> Array:
         array = np.asarray(value)
     except ValueError as error:
         raise ValueError(f"{name}: the rows have different lengths; make them equal") from error
-    if array.dtype.kind not in "iufO":
-        raise TypeError(f"{name} must be real numbers, got {value!r:.60} ({array.dtype})")
-    try:
-        array = array.astype(np.float64, copy=False)
-    except (TypeError, ValueError) as error:
-        raise TypeError(f"{name} must be real numbers, got {value!r:.60}") from error
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name} must be real numbers, got {value!r:.60}")
+    array = array.astype(np.float64, copy=False)
     if not np.isfinite(array).all():
         raise ValueError(f"{name} must be finite, got NaN or infinity: remove those entries first")
     return array

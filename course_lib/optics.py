@@ -110,7 +110,7 @@ def pinhole_blur_diameter(d: ArrayLike, image_distance: ArrayLike, Z: ArrayLike)
 
     References
     ----------
-    E. Hecht, Optics, 5th ed., section 5.7.6 (the pinhole camera).
+    E. Hecht, Optics, 5th ed., section 5.7.6 (the camera).
 
     Examples
     --------
@@ -184,7 +184,7 @@ def best_pinhole_diameter(image_distance: ArrayLike, wavelength: ArrayLike) -> A
 
     References
     ----------
-    E. Hecht, Optics, 5th ed., section 5.7.6 (the pinhole camera); M. Young, "Pinhole optics",
+    E. Hecht, Optics, 5th ed., section 5.7.6 (the camera); M. Young, "Pinhole optics",
     Applied Optics 10 (1971) 2763-2767.
 
     Examples

@@ -1,7 +1,7 @@
 """Rotations and poses: where a camera is, and which way it looks.
 
 A pose ``(R, t)`` maps coordinates of one frame into another, ``X_a = R_ab X_b + t_ab``. A camera's
-pose maps world to camera. The camera frame has x right, y down, z forward; the world has z up.
+pose maps world to camera. Camera frame: x right, y down, z forward. World: z up.
 """
 
 from __future__ import annotations
@@ -152,9 +152,10 @@ def look_at(eye: ArrayLike, target: ArrayLike, up: ArrayLike = (0, 0, 1)) -> tup
     eye, target, up = (
         check_vector(v, 3, name) for v, name in ((eye, "eye"), (target, "target"), (up, "up"))
     )
-    if np.array_equal(eye, target):
+    distance = np.linalg.norm(target - eye)
+    if distance == 0:
         raise DegenerateConfigurationError("eye and target coincide: move one of them")
-    forward = (target - eye) / np.linalg.norm(target - eye)
+    forward = (target - eye) / distance
     right = np.cross(forward, up)
     if np.linalg.norm(right) <= 1e-9 * np.linalg.norm(up):
         raise DegenerateConfigurationError(
@@ -240,10 +241,8 @@ def invert_pose(R: ArrayLike, t: ArrayLike) -> tuple[Array, Array]:
 
     Parameters
     ----------
-    R : array_like, shape (3, 3)
-        Rotation, b to a.
-    t : array_like, shape (3,)
-        Translation, b to a.
+    R, t : array_like, shape (3, 3) and (3,)
+        Pose, b to a.
 
     Returns
     -------

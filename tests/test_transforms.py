@@ -1,0 +1,198 @@
+import doctest
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from course_lib import checks, transforms
+from course_lib.checks import DegenerateConfigurationError
+from course_lib.transforms import (
+    camera_centre,
+    check_rotation,
+    compose,
+    invert_pose,
+    look_at,
+    rotation_x,
+    rotation_y,
+    rotation_z,
+    transform_points,
+)
+
+AXES = np.eye(3)
+ROTATIONS = [(rotation_x, 0), (rotation_y, 1), (rotation_z, 2)]
+angles = st.floats(-10, 10)
+numbers = st.one_of(st.just(0.0), st.floats(1e-6, 1e6), st.floats(-1e6, -1e-6))
+vectors = st.tuples(numbers, numbers, numbers)
+
+
+def any_rotation(a, b, c):
+    return rotation_x(a) @ rotation_y(b) @ rotation_z(c)
+
+
+def random_pose(rng):
+    return any_rotation(*rng.uniform(-3, 3, 3)), rng.normal(size=3)
+
+
+class TestRotations:
+    @pytest.mark.parametrize(("rotation", "axis"), ROTATIONS)
+    def test_shapes(self, rotation, axis):
+        assert rotation(0.3).shape == (3, 3)
+        assert rotation(0.3).dtype == np.float64
+        np.testing.assert_array_equal(rotation(0), AXES)
+
+    @pytest.mark.parametrize(("rotation", "axis"), ROTATIONS)
+    @pytest.mark.parametrize(
+        ("angle", "error"), [(np.nan, ValueError), ([0.1, 0.2], ValueError), ("30°", TypeError)]
+    )
+    def test_errors(self, rotation, axis, angle, error):
+        with pytest.raises(error, match="angle"):
+            rotation(angle)
+
+    @pytest.mark.parametrize(("rotation", "axis"), ROTATIONS)
+    def test_round_trip(self, rotation, axis):
+        np.testing.assert_allclose(rotation(0.7) @ rotation(-0.7), AXES, atol=1e-15)
+
+    @pytest.mark.parametrize(("rotation", "axis"), ROTATIONS)
+    def test_accuracy(self, rotation, axis):
+        # A quarter turn leaves its axis and takes each other axis to the next one, right-handed.
+        after, then = (axis + 1) % 3, (axis + 2) % 3
+        turned = rotation(np.pi / 2) @ AXES
+        np.testing.assert_allclose(turned[:, axis], AXES[axis], atol=1e-15)
+        np.testing.assert_allclose(turned[:, after], AXES[then], atol=1e-15)
+        np.testing.assert_allclose(turned[:, then], -AXES[after], atol=1e-15)
+
+    @given(angles, angles, angles)
+    def test_fuzz(self, a, b, c):
+        check_rotation(any_rotation(a, b, c), 1e-12)
+
+
+class TestCheckRotation:
+    def test_shapes(self):
+        assert check_rotation(np.eye(3, dtype=int)).dtype == np.float64
+        with pytest.raises(ValueError, match=r"\(3, 3\), got \(4, 4\)"):
+            check_rotation(np.eye(4))
+
+    @pytest.mark.parametrize(
+        ("matrix", "words"),
+        [
+            (np.eye(3) * 0.9, "not a rotation: R Rᵀ differs"),
+            (np.diag([1, 1, -1]), "reflection"),
+            (np.full((3, 3), 1e200), "not a rotation"),
+            (np.full((3, 3), np.nan), "finite"),
+        ],
+    )
+    def test_errors(self, matrix, words):
+        with pytest.raises(ValueError, match=words):
+            check_rotation(matrix)
+
+    def test_accuracy(self):
+        matrix = rotation_x(0.2)
+        matrix[0, 0] += 1e-4
+        check_rotation(matrix, 1e-3)
+        with pytest.raises(ValueError, match=r"differs from the identity by 0\.0002"):
+            check_rotation(matrix)
+
+
+class TestLookAt:
+    def test_shapes(self):
+        R, t = look_at((1, 2, 3), (0, 0, 0))
+        assert R.shape == (3, 3)
+        assert t.shape == (3,)
+
+    def test_errors(self):
+        with pytest.raises(ValueError, match=r"target must have shape \(3,\), got \(2,\)"):
+            look_at((1, 2, 3), (0, 0))
+        with pytest.raises(ValueError, match="eye must be finite"):
+            look_at((1, np.inf, 3), (0, 0, 0))
+
+    def test_accuracy(self):
+        # From the south, looking north: east is right, up is up (-y), north is ahead.
+        R, t = look_at(eye=(0, -5, 1), target=(0, 0, 1))
+        np.testing.assert_allclose(R @ [1, 0, 0], [1, 0, 0], atol=1e-15)
+        np.testing.assert_allclose(R @ [0, 0, 1], [0, -1, 0], atol=1e-15)
+        np.testing.assert_allclose(R @ [0, 1, 0], [0, 0, 1], atol=1e-15)
+        np.testing.assert_allclose(R @ [0, 0, 1] + t, [0, 0, 5], atol=1e-15)
+
+    def test_degenerate(self):
+        with pytest.raises(DegenerateConfigurationError, match="coincide"):
+            look_at((1, 2, 3), (1, 2, 3))
+        with pytest.raises(DegenerateConfigurationError, match="along up"):
+            look_at((0, 0, 3), (0, 0, 0))
+        with pytest.raises(DegenerateConfigurationError, match="along up"):
+            look_at((0, 0, 3), (1, 0, 0), up=(0, 0, 0))
+
+    @given(vectors, vectors, vectors)
+    def test_fuzz(self, eye, target, up):
+        try:
+            R, t = look_at(eye, target, up)
+        except DegenerateConfigurationError:
+            return
+        check_rotation(R)
+        scale = max(1, np.linalg.norm(eye), np.linalg.norm(target))
+        distance = np.linalg.norm(np.subtract(target, eye))
+        np.testing.assert_allclose(R @ target + t, [0, 0, distance], atol=1e-9 * scale)
+        assert (R @ up)[1] <= 1e-9 * np.linalg.norm(up)
+
+
+class TestPoses:
+    def test_shapes(self):
+        R, t = random_pose(np.random.default_rng(1))
+        assert transform_points((1, 2, 3), R, t).shape == (3,)
+        assert transform_points(np.ones((5, 3)), R, t).shape == (5, 3)
+        assert transform_points(np.ones((0, 3)), R, t).shape == (0, 3)
+        assert camera_centre(R, t).shape == (3,)
+
+    @pytest.mark.parametrize(
+        ("points", "words"),
+        [
+            (np.ones((3, 2)), r"points must have shape \(N, 3\) or \(3,\), got \(3, 2\)"),
+            ([[1, 2, np.nan]], "points must be finite"),
+            ([[1, 2, 3], [1, 2]], "different lengths"),
+        ],
+    )
+    def test_errors(self, points, words):
+        with pytest.raises(ValueError, match=words):
+            transform_points(points, np.eye(3), np.zeros(3))
+
+    def test_errors_of_poses(self):
+        with pytest.raises(ValueError, match=r"t must have shape \(3,\), got \(3, 1\)"):
+            camera_centre(np.eye(3), np.zeros((3, 1)))
+        with pytest.raises(ValueError, match="not a rotation"):
+            invert_pose(2 * np.eye(3), np.zeros(3))
+        with pytest.raises(TypeError, match="t_bc must be real numbers"):
+            compose(np.eye(3), np.zeros(3), np.eye(3), ["a", "b", "c"])
+
+    def test_round_trip(self):
+        R, t = random_pose(np.random.default_rng(2))
+        X = np.random.default_rng(3).normal(size=(7, 3))
+        there = transform_points(X, R, t)
+        np.testing.assert_allclose(transform_points(there, *invert_pose(R, t)), X, atol=1e-14)
+
+    def test_accuracy(self):
+        rng = np.random.default_rng(4)
+        a_from_b, b_from_c, X = random_pose(rng), random_pose(rng), rng.normal(size=(7, 3))
+        np.testing.assert_allclose(
+            transform_points(X, *compose(*a_from_b, *b_from_c)),
+            transform_points(transform_points(X, *b_from_c), *a_from_b),
+            atol=1e-14,
+        )
+        # The centre is the point that the pose takes to the origin.
+        np.testing.assert_allclose(
+            transform_points(camera_centre(*a_from_b), *a_from_b), np.zeros(3), atol=1e-15
+        )
+
+    def test_inputs_stay_as_they_are(self):
+        R, t = random_pose(np.random.default_rng(5))
+        X = np.ones((2, 3))
+        copies = R.copy(), t.copy(), X.copy()
+        transform_points(X, R, t)
+        invert_pose(R, t)
+        for array, copy in zip((R, t, X), copies, strict=True):
+            np.testing.assert_array_equal(array, copy)
+
+
+@pytest.mark.parametrize("module", [checks, transforms])
+def test_examples_run(module):
+    names = vars(module) | {"np": np}
+    assert doctest.testmod(module, extraglobs=names).failed == 0
