@@ -1,0 +1,209 @@
+"""What an explorer shows for one state: pictures, numbers and their alternatives in words.
+
+A frame is plain data. The browser draws it while a slider moves; :func:`still` draws the same
+frame with Matplotlib for readers without a kernel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from course_lib.drawing import style
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Line:
+    """A polyline in the pixels of its picture; a NaN row lifts the pen.
+
+    Attributes
+    ----------
+    points : array_like, shape (N, 2)
+        Corners (u, v) in px.
+    role : str
+        A key of `style.ROLES`, or ``"ink"`` for the colour of the text.
+    width : float
+        Width in px.
+    closed, dashed : bool
+        Whether the last point joins the first; whether the stroke is broken.
+    fill : float
+        Opacity of the inside, 0 to 1.
+    """
+
+    points: ArrayLike
+    role: str = "ink"
+    width: float = 1.5
+    closed: bool = False
+    dashed: bool = False
+    fill: float = 0.0
+
+
+@dataclass(frozen=True)
+class Label:
+    """A word in a picture, at the pixel `at`; `anchor` is start, middle or end."""
+
+    text: str
+    at: tuple[float, float]
+    role: str = "ink"
+    anchor: str = "start"
+
+
+@dataclass(frozen=True)
+class Probe:
+    """A quantity read under the pointer, on a coarse grid over the whole picture.
+
+    Attributes
+    ----------
+    label, unit : str
+        What is read, and its unit.
+    values : ndarray, shape (rows, columns)
+        The corners of the grid are the centres of the picture's corner pixels; values between
+        the nodes are interpolated bilinearly; NaN means nothing to read.
+    digits : int
+        Decimals shown.
+    """
+
+    label: str
+    unit: str
+    values: Floats
+    digits: int = 1
+
+
+@dataclass(frozen=True)
+class Picture:
+    """One picture of a frame: a photograph with an overlay, or a line drawing without one.
+
+    Attributes
+    ----------
+    title, alt : str
+        What stands above it, and what it shows, in words, for this state.
+    size : tuple of int
+        Width and height in px.
+    image : ndarray, shape (height, width, 3), uint8, optional
+        The photograph, RGB.
+    lines, labels : tuple
+        Drawn over the photograph, in its pixels.
+    probes : tuple of Probe
+        What the pointer reads.
+    pixels : bool
+        Whether the pointer also reads (u, v).
+    """
+
+    title: str
+    alt: str
+    size: tuple[int, int]
+    image: NDArray[np.uint8] | None = None
+    lines: tuple[Line, ...] = ()
+    labels: tuple[Label, ...] = ()
+    probes: tuple[Probe, ...] = ()
+    pixels: bool = False
+
+
+@dataclass(frozen=True)
+class Readout:
+    """A number of the frame, as it is shown: label, symbol, value and unit."""
+
+    label: str
+    symbol: str
+    value: str
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Everything an explorer shows for one state.
+
+    Attributes
+    ----------
+    pictures : tuple of Picture
+        At least one.
+    readouts : tuple of Readout
+        The numbers beside them.
+    follows : mapping
+        Controls that this state determines, with their values: they move by themselves.
+    """
+
+    pictures: tuple[Picture, ...]
+    readouts: tuple[Readout, ...] = ()
+    follows: Mapping[str, float] = field(default_factory=dict)
+
+    def in_words(self) -> str:
+        """Return the frame as text: every picture's alternative, then every number."""
+        numbers = [f"{r.label} {r.symbol} = {r.value} {r.unit}".strip() for r in self.readouts]
+        return "\n".join([p.alt for p in self.pictures] + numbers)
+
+
+def still(frame: Frame) -> bytes:
+    """Draw a frame as a still figure, for readers without a kernel.
+
+    Parameters
+    ----------
+    frame : Frame
+        What to draw.
+
+    Returns
+    -------
+    bytes
+        A PNG picture.
+    """
+    import io
+
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    widths = [p.size[0] for p in frame.pictures]
+    tallest = max(p.size[1] for p in frame.pictures)
+    with style.course_style():
+        height = style.FULL_WIDTH * tallest / sum(widths) + 0.9
+        figure = Figure(figsize=(style.FULL_WIDTH, height))
+        FigureCanvasAgg(figure)
+        row = figure.subplots(1, len(widths), width_ratios=widths, squeeze=False)[0]
+        for axes, picture in zip(row, frame.pictures, strict=True):
+            _draw(axes, picture)
+        figure.supxlabel(_numbers(frame), fontsize=9)
+        png = io.BytesIO()
+        figure.savefig(png, format="png")
+    return png.getvalue()
+
+
+def _draw(axes: Axes, picture: Picture) -> None:
+    """Draw one picture into its axes, in its own pixels."""
+    width, height = picture.size
+    axes.set(xlim=(-0.5, width - 0.5), ylim=(height - 0.5, -0.5), xticks=[], yticks=[])
+    axes.set_title(picture.title, fontsize=10)
+    axes.set_aspect("equal")
+    axes.spines[:].set_visible(False)
+    if picture.image is not None:
+        axes.imshow(picture.image)
+    for line in picture.lines:
+        points = np.asarray(line.points, dtype=float).reshape(-1, 2)
+        colour = _colour(line.role)
+        if line.fill:
+            axes.fill(*points.T, color=colour, alpha=line.fill, linewidth=0)
+        if line.closed:
+            points = np.vstack([points, points[:1]])
+        dash = "--" if line.dashed else "-"
+        axes.plot(*points.T, dash, color=colour, linewidth=0.6 * line.width)
+    for label in picture.labels:
+        anchor = {"start": "left", "middle": "center", "end": "right"}[label.anchor]
+        axes.text(*label.at, label.text, color=_colour(label.role), ha=anchor, fontsize=7)
+
+
+def _colour(role: str) -> str:
+    """Return the colour of a role; ``"ink"`` is that of the text."""
+    return style.BLACK if role == "ink" else style.ROLES[role]
+
+
+def _numbers(frame: Frame) -> str:
+    """Return the numbers of a frame in lines of at most three."""
+    texts = [f"{r.label}: {r.value} {r.unit}".strip() for r in frame.readouts]
+    return "\n".join("   ·   ".join(texts[i : i + 3]) for i in range(0, len(texts), 3))

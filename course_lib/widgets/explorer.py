@@ -1,0 +1,151 @@
+"""An explorer: controls that move pictures, drawn by one small front end of the course.
+
+The browser sends the newest state and never more than two at a time; Python answers each with a
+frame. So events coalesce while a slider is dragged, and the last state always arrives.
+"""
+
+from __future__ import annotations
+
+import threading
+from base64 import b64encode
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import traitlets
+
+from course_lib.drawing.explorers import Frame, still
+from course_lib.widgets.controls import Control, Slider
+from course_lib.widgets.messages import encode_frame
+
+HERE = Path(__file__).parent
+Value = float | str | bool
+
+
+class Explorer(anywidget.AnyWidget):
+    """Controls and the pictures that follow them.
+
+    Parameters
+    ----------
+    title : str
+        Names the explorer, also for a screen reader.
+    controls : sequence of Control
+        What can be moved; the names are the arguments of `frame`.
+    frame : callable
+        Pure function from the state, as keyword arguments, to a `Frame`.
+
+    Raises
+    ------
+    ValueError
+        If two controls have the same name.
+    """
+
+    _esm = HERE / "explorer.js"
+    _css = HERE / "explorer.css"
+    spec = traitlets.Dict().tag(sync=True)
+    first = traitlets.Dict().tag(sync=True)
+
+    def __init__(
+        self, title: str, controls: Sequence[Control], frame: Callable[..., Frame]
+    ) -> None:
+        names = [control.name for control in controls]
+        if len(set(names)) < len(names):
+            raise ValueError(f"every control needs its own name, got {names}")
+        self._controls: dict[str, Control] = dict(zip(names, controls, strict=True))
+        self._frame = frame
+        self._state: dict[str, Value] = {c.name: c.nearest(c.default) for c in controls}
+        self._count = 0
+        # JupyterLab delivers widget messages on a thread of their own.
+        self._lock = threading.Lock()
+        message, buffers = self._answer({})
+        super().__init__(
+            spec={"title": title, "controls": [c.spec() for c in controls]},
+            first={"message": message, "buffers": buffers},
+        )
+        self.on_msg(self._receive)
+
+    @property
+    def state(self) -> dict[str, Value]:
+        """Where every control stands."""
+        return dict(self._state)
+
+    def set(self, **state: Value) -> None:
+        """Move controls from Python; every view follows.
+
+        Parameters
+        ----------
+        **state
+            New values by control name; each moves to the nearest position of its control.
+
+        Raises
+        ------
+        ValueError
+            If there is no control of that name.
+        """
+        unknown = sorted(set(state) - set(self._controls))
+        if unknown:
+            raise ValueError(
+                f"no control named {', '.join(unknown)}; there are {list(self._controls)}"
+            )
+        message, buffers = self._answer(state)
+        self.send(message, buffers)
+
+    def reset(self) -> None:
+        """Move every control back to its default."""
+        self.set(**{name: control.default for name, control in self._controls.items()})
+
+    def frame_now(self) -> Frame:
+        """Return the frame of the present state; errors of the frame function are raised."""
+        return self._frame(**self._state)
+
+    def _receive(self, _: object, content: Mapping[str, Any], __: object) -> None:
+        """Answer a message of a view: its state, or only ``hello``."""
+        message, buffers = self._answer(content.get("state") or {})
+        mine = {"view": content.get("view"), "seq": content.get("seq")}
+        self.send(message | mine, buffers)
+
+    def _answer(self, changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[bytes]]:
+        """Move the controls, draw, and return the numbered frame, or why there is none."""
+        with self._lock:
+            self._move(changes)
+            self._count += 1
+            try:
+                frame = self.frame_now()
+                self._move(frame.follows)
+                message, buffers = encode_frame(frame)
+            except Exception as error:  # a frame function may fail in any way; the reader is told
+                message, buffers = {"error": self._sentence(error)}, []
+            return {"count": self._count, "state": self.state} | message, buffers
+
+    def _move(self, changes: Mapping[str, Any]) -> None:
+        """Move controls to the positions nearest to the values in `changes`."""
+        for name, value in changes.items():
+            if name in self._controls:
+                self._state[name] = self._controls[name].nearest(value)
+
+    def _sentence(self, error: Exception) -> str:
+        """Say which state could not be drawn, and why."""
+        where = ", ".join(f"{name} = {self._shown(name)}" for name in self._state)
+        return f"No picture for {where}. {type(error).__name__}: {error}"
+
+    def _shown(self, name: str) -> str:
+        """Return the value of a control with its unit."""
+        control, value = self._controls[name], self._state[name]
+        if isinstance(control, Slider):
+            return f"{control.text(float(value))} {control.unit}".strip()
+        return str(value)
+
+    def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
+        """Return the live explorer, with a still figure and words for readers without a kernel."""
+        bundle = super()._repr_mimebundle_(**kwargs)
+        if bundle is None:
+            return None
+        data, metadata = bundle
+        try:
+            frame = self.frame_now()
+            data["image/png"] = b64encode(still(frame)).decode("ascii")
+            words = frame.in_words()
+        except Exception as error:  # the live explorer shows the same sentence
+            words = self._sentence(error)
+        return data | {"text/plain": f"{self.spec['title']}\n{words}"}, metadata

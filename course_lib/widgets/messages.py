@@ -1,0 +1,111 @@
+"""A frame as a message to the browser: words and numbers as JSON, arrays as binary buffers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from course_lib.drawing.explorers import Frame, Picture
+
+JPEG_QUALITY = 90
+
+
+def encode_frame(frame: Frame) -> tuple[dict[str, Any], list[bytes]]:
+    """Encode a frame for the browser.
+
+    Parameters
+    ----------
+    frame : Frame
+        What to show.
+
+    Returns
+    -------
+    message : dict
+        JSON. ``start`` counts in the numbers of ``buffers[0]``, ``image`` in `buffers`.
+    buffers : list of bytes
+        First every point and grid, ``float32``; then the photographs, JPEG.
+    """
+    numbers = _Numbers()
+    photographs = [p.image for p in frame.pictures if p.image is not None]
+    places = iter(range(1, len(photographs) + 1))
+    pictures = [
+        _encode_picture(p, None if p.image is None else next(places), numbers)
+        for p in frame.pictures
+    ]
+    message = {
+        "pictures": pictures,
+        "readouts": [vars(r) for r in frame.readouts],
+        "follows": dict(frame.follows),
+    }
+    return message, [numbers.packed(), *map(jpeg, photographs)]
+
+
+class _Numbers:
+    """Arrays behind one another, so that a frame needs one buffer for all of them."""
+
+    def __init__(self) -> None:
+        self._arrays: list[NDArray[np.float32]] = []
+        self._length = 0
+
+    def add(self, values: ArrayLike) -> dict[str, int]:
+        """Append an array; return where it starts and how many numbers it has."""
+        array = np.asarray(values, dtype="<f4").ravel()
+        place = {"start": self._length, "count": array.size}
+        self._arrays.append(array)
+        self._length += array.size
+        return place
+
+    def packed(self) -> bytes:
+        """Return all arrays as one."""
+        return b"".join(array.tobytes() for array in self._arrays)
+
+
+def _encode_picture(picture: Picture, image: int | None, numbers: _Numbers) -> dict[str, Any]:
+    """Encode one picture whose photograph is buffer number `image`."""
+    return {
+        "title": picture.title,
+        "alt": picture.alt,
+        "size": list(picture.size),
+        "pixels": picture.pixels,
+        "image": image,
+        "lines": [vars(line) | {"points": numbers.add(line.points)} for line in picture.lines],
+        "labels": [vars(label) for label in picture.labels],
+        "probes": [
+            vars(probe) | {"values": numbers.add(probe.values), "shape": list(probe.values.shape)}
+            for probe in picture.probes
+        ],
+    }
+
+
+def jpeg(image: NDArray[np.uint8]) -> bytes:
+    """Return an RGB picture as JPEG.
+
+    Parameters
+    ----------
+    image : ndarray, shape (height, width, 3), uint8
+        RGB.
+
+    Returns
+    -------
+    bytes
+        The file.
+
+    Raises
+    ------
+    ValueError
+        If the picture has another shape or type.
+    """
+    import cv2
+
+    if image.dtype != np.uint8 or image.ndim != 3 or image.shape[2] != 3:
+        raise ValueError(
+            f"expected a uint8 picture of shape (height, width, 3), got {image.dtype} "
+            f"of shape {image.shape}; convert it with np.uint8(255 * picture)"
+        )
+    bgr = cv2.cvtColor(image, cv2.COLOR_RGB2BGR)
+    done, data = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
+    if not done:
+        raise ValueError(f"OpenCV could not encode a picture of shape {image.shape} as JPEG")
+    return bytes(data.tobytes())
