@@ -1,0 +1,68 @@
+"""How far pip is, in one line that is drawn again and again (or a few lines in a file)."""
+
+import re
+import shutil
+import sys
+from dataclasses import dataclass
+from typing import TextIO
+
+
+@dataclass(frozen=True)
+class Stage:
+    """Where an installation stands: `done` of `total` packages, and what is at work."""
+
+    doing: str
+    done: int
+    total: int
+    name: str = ""
+
+    def __str__(self) -> str:
+        """Return the line that a student sees."""
+        return f"{self.doing} {self.done} of {self.total}{': ' if self.name else ''}{self.name}"
+
+
+def stage_of(log: str, pinned: int, unpacked: int) -> Stage:
+    """Return how far pip is.
+
+    Parameters
+    ----------
+    log : str
+        What pip printed so far.
+    pinned : int
+        Number of packages that the lock file pins, for all systems.
+    unpacked : int
+        Number of packages that this run has put into the environment.
+    """
+    # pip passes over a package by "Ignoring NAME: markers ..." or "Requirement already satisfied"
+    skipped = len(re.findall(r"^(?:Ignoring |Requirement already satisfied)", log, re.MULTILINE))
+    total = max(pinned - skipped, 1)
+    names = re.findall(r"^Collecting ([\w.-]+)", log, re.MULTILINE)
+    if "\nInstalling collected packages: " not in log:
+        return Stage("Getting package", min(len(names), total), total, names[-1] if names else "")
+    return Stage("Installing package", min(unpacked, total), total)
+
+
+class Line:
+    """One line of progress: redrawn in a terminal, a new line each quarter elsewhere."""
+
+    def __init__(self, stream: TextIO | None = None) -> None:
+        self.stream = stream or sys.stdout
+        self.redraws = self.stream.isatty()
+        self.last = ""
+
+    def show(self, stage: Stage) -> None:
+        """Draw the stage, unless it says nothing new."""
+        quarter = f"{stage.doing}{4 * stage.done // stage.total}"
+        news = str(stage) if self.redraws else quarter
+        if news == self.last:
+            return
+        self.last = news
+        width = shutil.get_terminal_size().columns - 1
+        self.stream.write(f"\r{stage!s:{width}.{width}}" if self.redraws else f"  {stage}\n")
+        self.stream.flush()
+
+    def clear(self) -> None:
+        """Leave an empty line for what is said next."""
+        if self.redraws and self.last:
+            self.stream.write(f"\r{'':{shutil.get_terminal_size().columns - 1}}\r")
+            self.stream.flush()
