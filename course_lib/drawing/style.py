@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 SKY, PURPLE, BLACK, GREY = "#56B4E9", "#CC79A7", "#1A1A1A", "#767676"
@@ -26,7 +27,7 @@ ROLES = {
 #: Figure widths in inches: one column of the notebook, and half of it.
 FULL_WIDTH, HALF_WIDTH = 8.0, 4.0
 
-RC = {
+RC: dict[Any, Any] = {
     "figure.figsize": (FULL_WIDTH, 4.0),
     "figure.dpi": 100,
     "figure.constrained_layout.use": True,

@@ -23,7 +23,7 @@ HERE = Path(__file__).parent
 Value = float | str | bool
 
 
-class Explorer(anywidget.AnyWidget):
+class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
     """Controls and the pictures that follow them.
 
     Parameters
@@ -85,9 +85,8 @@ class Explorer(anywidget.AnyWidget):
         """
         unknown = sorted(set(state) - set(self._controls))
         if unknown:
-            raise ValueError(
-                f"no control named {', '.join(unknown)}; there are {list(self._controls)}"
-            )
+            names = ", ".join(self._controls)
+            raise ValueError(f"no control named {', '.join(unknown)}; there are {names}")
         message, buffers = self._answer(state)
         self.send(message, buffers)
 

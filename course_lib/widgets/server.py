@@ -20,7 +20,7 @@ def _jupyter_server_extension_points() -> list[dict[str, str]]:
 
 
 def _load_jupyter_server_extension(server: Any) -> None:
-    """Hook into the server's kernel sockets; when that fails, say so and go on."""
+    """Change the server's kernel sockets; when that fails, say so and go on."""
     try:
         from jupyter_server.services.kernels.websocket import KernelWebsocketHandler
 

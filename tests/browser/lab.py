@@ -109,7 +109,7 @@ def _free_port() -> int:
 
 
 def _environment(home: Path) -> dict[str, str]:
-    """Return the environment of the server: this interpreter, its own directories, no BLAS tuning."""
+    """Return the server's environment: its own directories, no tuning of the BLAS."""
     dropped = {"OPENBLAS_CORETYPE", "OPENBLAS_L2_SIZE"}
     kept = {k: v for k, v in os.environ.items() if k not in dropped and not k.startswith("JUPYTER")}
     return kept | {
@@ -150,8 +150,8 @@ def write_notebook(path: Path, *cells: str) -> Path:
 
 
 READY = """async () => {
-  const panel = window.jupyterapp.shell.currentWidget;
-  if (!panel || !panel.context) return false;
+  const panel = window.jupyterapp?.shell.currentWidget;
+  if (!panel?.context) return false;
   await panel.context.ready;
   await panel.sessionContext.ready;
   return true;
@@ -160,9 +160,10 @@ READY = """async () => {
 RUN_ALL = """async () => {
   const panel = window.jupyterapp.shell.currentWidget;
   await window.jupyterapp.commands.execute("notebook:run-all-cells");
-  const wrong = panel.content.widgets.flatMap((cell) => cell.model.type !== "code" ? [] :
-    cell.model.outputs.toJSON().filter((o) => o.output_type === "error").map((o) => `${o.ename}: ${o.evalue}`));
-  return wrong;
+  return panel.content.widgets
+    .flatMap((cell) => (cell.model.type === "code" ? cell.model.outputs.toJSON() : []))
+    .filter((output) => output.output_type === "error")
+    .map((output) => `${output.ename}: ${output.evalue}`);
 }"""
 
 
@@ -170,9 +171,6 @@ def open_notebook(page: Any, lab: Lab, path: Path) -> None:
     """Open a notebook of the lab's folder in a page and wait until its kernel is ready."""
     place = path.relative_to(lab.folder).as_posix()
     page.goto(f"{lab.url}/lab/tree/{place}?token={lab.token}&reset")
-    page.wait_for_function(
-        "() => window.jupyterapp && window.jupyterapp.shell.currentWidget", timeout=60_000
-    )
     page.wait_for_function(READY, timeout=60_000)
 
 
