@@ -98,7 +98,7 @@ def open_lab(env: Environment, options: argparse.Namespace) -> int:
     for saying in update(ROOT / "notebooks", work):
         say(saying)
     say(f"Opening JupyterLab in {work}; Ctrl-C here ends it.")
-    lab = ["-m", "jupyterlab", f"--ServerApp.root_dir={work}"]
+    lab = ["-m", "jupyterlab", "--log-level=WARN", f"--ServerApp.root_dir={work}"]
     if (work / FIRST).exists():
         lab.append(f"--LabApp.default_url=/lab/tree/{FIRST}")
     if options.port:

@@ -117,8 +117,8 @@ def install_project(env: Environment, lock: int) -> None:
     run_logged(env, [*_pip_install(env), *options, str(env.root)], "Installing the course", lock)
     # Before Python 3.13 the link is read in the system's encoding: on Windows a folder with
     # letters outside it would not be found. The way from there to here has dots only.
-    for link in env.packages.glob("_camera_course*.pth"):
-        link.write_text(os.path.relpath(env.root, env.packages) + "\n", "ascii")
+    (link,) = env.packages.glob("*camera_course.pth")
+    link.write_text(os.path.relpath(env.root, env.packages) + "\n", "ascii")
 
 
 def _pip_install(env: Environment) -> list[str]:
