@@ -22,6 +22,7 @@ from course_lib.checks import (
 from course_lib.pinhole import (
     dolly_zoom,
     first_guess_intrinsics,
+    image_centre,
     pixel_focal_length,
     project_pinhole,
     vanishing_point,
@@ -33,6 +34,7 @@ __all__ = [
     "camera_at",
     "dolly_zoom",
     "first_guess_intrinsics",
+    "image_centre",
     "pixel_focal_length",
     "pixel_ray",
     "project",

@@ -7,6 +7,7 @@ import inspect
 import os
 import sys
 from collections.abc import Callable, Mapping
+from html import escape
 from typing import Any
 
 from course_lib.exercises import find
@@ -64,11 +65,7 @@ def solution(name: str) -> None:
     exercise = find(name)
     if isinstance(exercise, Exercise):
         source = inspect.getsource(exercise.reference)
-        from pygments import highlight
-        from pygments.formatters import HtmlFormatter
-        from pygments.lexers import PythonLexer
-
-        _show(highlight(source, PythonLexer(), HtmlFormatter(noclasses=True)), source)
+        _show(f"<pre>{escape(source)}</pre>", source)
     else:
         _show(f"<p>{exercise.model_answer}</p>", exercise.model_answer)
 

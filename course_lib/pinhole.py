@@ -22,6 +22,38 @@ from course_lib.checks import (
 )
 
 
+def image_centre(image_size: ArrayLike) -> Array:
+    """Return the middle of a picture in pixel coordinates.
+
+    The top-left pixel is a small square whose *centre* is ``(0, 0)``.
+
+    Parameters
+    ----------
+    image_size : array_like, shape (2,)
+        Width and height of the picture in px.
+
+    Returns
+    -------
+    ndarray, shape (2,)
+        Pixel ``(u, v)``: column and row, with halves where the middle lies between two pixels.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the size has the wrong shape or is not positive and finite.
+
+    References
+    ----------
+    The pixel convention is OpenCV's.
+
+    Examples
+    --------
+    >>> image_centre((3, 5))
+    array([1., 2.])
+    """
+    return (check_size(image_size, "image_size") - 1) / 2
+
+
 def pixel_focal_length(f: float, sensor_size: ArrayLike, image_size: ArrayLike) -> Array:
     """Return the focal length in pixels, along the rows and along the columns.
 
@@ -97,7 +129,7 @@ def first_guess_intrinsics(f: float, sensor_size: ArrayLike, image_size: ArrayLi
            [   0.,    0.,    1.]])
     """
     fx, fy = pixel_focal_length(f, sensor_size, image_size)
-    cx, cy = (check_size(image_size, "image_size") - 1) / 2
+    cx, cy = image_centre(image_size)
     return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]])
 
 

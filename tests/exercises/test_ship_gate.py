@@ -1,0 +1,158 @@
+"""No exercise ships unless it rewards right answers, rejects wrong ones and names the reason."""
+
+import ast
+import inspect
+import types
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+import second_solutions
+
+from course_lib.exercises import CHAPTERS, all_exercises
+from course_lib.judging import Answer, Exercise, Explain, ValuesExercise, answer, judge, pose
+from course_lib.judging.verdict import expected_answer
+
+SEEDS = range(50)
+EXERCISES = [e for e in all_exercises() if isinstance(e, Exercise)]
+WORDS = [e for e in all_exercises() if isinstance(e, Explain)]
+PAIRS = [(e, m) for e in EXERCISES for m in e.misconceptions]
+
+each_exercise = pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.name)
+
+
+def verdict_for(exercise: Exercise, function: Callable, seed: int, reveal: bool = True):
+    cases = pose(exercise, seed)
+    if isinstance(exercise, ValuesExercise):  # the student's values do not know what was given
+        values = function(**exercise.given) if function else {}
+        return judge(exercise, cases, answer(exercise, lambda **_: values, cases), reveal=reveal)
+    return judge(exercise, cases, answer(exercise, function, cases), reveal=reveal)
+
+
+def rewritten(function: Callable) -> Callable:
+    """Return the same function with a code object of its own: what a student would have typed."""
+    return types.FunctionType(
+        function.__code__.replace(co_filename="answer.py"),
+        function.__globals__,
+        function.__name__,
+        function.__defaults__,
+    )
+
+
+@each_exercise
+def test_reference_earns_all_points(exercise):
+    for seed in SEEDS:
+        verdict = verdict_for(exercise, rewritten(exercise.reference), seed)
+        assert verdict.points == exercise.points, (seed, verdict)
+
+
+@each_exercise
+def test_reference_agrees_with_truth_by_construction(exercise):
+    for seed in SEEDS:
+        for case in pose(exercise, seed):
+            if case.known:
+                reference = exercise.as_answer(exercise.reference, case)
+                assert exercise.compare(reference, case.truth) is None
+
+
+@each_exercise
+def test_second_solution_earns_all_points(exercise):
+    second = getattr(second_solutions, exercise.function_name)
+    for seed in SEEDS:
+        verdict = verdict_for(exercise, second, seed)
+        assert verdict.points == exercise.points, (seed, verdict)
+
+
+@pytest.mark.parametrize(
+    ("exercise", "misconception"), PAIRS, ids=lambda value: getattr(value, "name", "")
+)
+def test_misconception_loses_points_and_gets_its_own_hint(exercise, misconception):
+    for seed in SEEDS:
+        for reveal in (True, False):
+            verdict = verdict_for(exercise, misconception.variant, seed, reveal)
+            assert verdict.points < exercise.points, seed
+            assert verdict.misconception == misconception.name, seed
+            assert verdict.hint == misconception.hint, seed
+
+
+@each_exercise
+def test_untouched_stub_earns_nothing(exercise):
+    def stub(*_):
+        raise NotImplementedError
+
+    untouched = stub
+    if isinstance(exercise, ValuesExercise):
+        untouched = lambda **_: dict.fromkeys(exercise.units)  # noqa: E731
+    verdict = verdict_for(exercise, untouched, 0)
+    assert verdict.points == 0
+    assert not verdict.attempted
+
+
+@each_exercise
+@pytest.mark.parametrize("kind", ["none", "zero", "zeros", "nans", "ones", "inputs"])
+def test_lazy_answers_earn_nothing(exercise, kind):
+    for seed in range(10):
+        cases = pose(exercise, seed)
+        like = [np.asarray(expected_answer(exercise, case), dtype=float) for case in cases]
+        lazy = {
+            "none": lambda _, __: None,
+            "zero": lambda _, __: 0.0,
+            "zeros": lambda _, value: np.zeros_like(value),
+            "nans": lambda _, value: np.full_like(value, np.nan),
+            "ones": lambda _, value: np.ones_like(value),
+            "inputs": lambda case, _: next(iter(case.inputs.values())),
+        }[kind]
+        values = [lazy(case, value) for case, value in zip(cases, like, strict=True)]
+        answers = [Answer("value", value) for value in values]
+        assert judge(exercise, cases, answers).points == 0
+
+
+@each_exercise
+def test_calling_the_reference_earns_nothing(exercise):
+    if isinstance(exercise, ValuesExercise):
+        return  # its answers are numbers, not calls
+    verdict = verdict_for(exercise, lambda *inputs: exercise.reference(*inputs), 0)
+    assert verdict.points == 0
+    assert {part.feedback.kind for part in verdict.parts} == {"ready-made"}
+
+
+@each_exercise
+def test_exercise_is_well_formed(exercise):
+    assert len(exercise.misconceptions) >= 3
+    names = [m.name for m in exercise.misconceptions]
+    hints = [m.hint for m in exercise.misconceptions]
+    assert len(set(names)) == len(names)
+    assert len(set(hints)) == len(hints)
+    assert exercise.chapter in CHAPTERS
+    assert sum(map(exercise.part_points, exercise.parts)) == pytest.approx(exercise.points)
+    parameters = list(inspect.signature(exercise.reference).parameters)
+    for case in pose(exercise, 0):
+        assert list(case.inputs) == parameters
+    for misconception in exercise.misconceptions:
+        assert list(inspect.signature(misconception.variant).parameters) == parameters
+
+
+@each_exercise
+def test_no_hint_reveals_the_answer(exercise):
+    """A hint asks; it holds no expression of the solution and no formula of its own."""
+    tree = ast.parse(inspect.getsource(exercise.reference).strip())
+    expressions = {
+        ast.unparse(node).replace(" ", "")
+        for node in ast.walk(tree)
+        if isinstance(node, ast.BinOp | ast.Call)
+    }
+    for misconception in exercise.misconceptions:
+        hint = misconception.hint
+        assert hint.endswith(("?", ".")), hint
+        assert "?" in hint, hint
+        squeezed = hint.replace(" ", "").replace("`", "")
+        assert not [e for e in expressions if e in squeezed], hint
+        assert not set("=*√²") & set(hint), hint
+        assert len(hint) <= 160, hint
+
+
+@pytest.mark.parametrize("question", WORDS, ids=lambda e: e.name)
+def test_question_in_words_has_a_rubric_and_a_model_answer(question):
+    assert question.points >= 2
+    assert all(points > 0 and text.endswith(".") for points, text in question.rubric)
+    assert len(question.model_answer.split()) >= 30
