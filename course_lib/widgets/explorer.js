@@ -90,17 +90,28 @@ function render({ model, el }) {
   theme.observe(document.body, { attributes: true, attributeFilter: ["data-jp-theme-light", "class"] });
   const size = new ResizeObserver(redraw);
   size.observe(root);
+  const keep = (event) => { if (root.contains(event.target)) keepKey(event); };
+  window.addEventListener("keydown", keep, { capture: true });
   model.on("msg:custom", received);
   const first = model.get("first");
   show(first.message, first.buffers);
   ask({}); // where the controls stand now
   return () => {
     model.off("msg:custom", received);
+    window.removeEventListener("keydown", keep, { capture: true });
     theme.disconnect();
     size.disconnect();
     clearTimeout(patience);
     clearTimeout(rest);
   };
+}
+
+// JupyterLab takes plain keys as its own (arrows fold headings, letters edit cells) before the
+// focused control sees them, unless the control has this attribute.
+function keepKey(event) {
+  const modified = event.ctrlKey || event.metaKey || event.altKey;
+  const running = event.key === "Enter" && event.shiftKey;
+  event.target.toggleAttribute("data-lm-suppress-shortcuts", !modified && !running);
 }
 
 // Elements ------------------------------------------------------------------------------------
@@ -268,7 +279,6 @@ function figure() {
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
     if (!step || !picture) return;
     event.preventDefault();
-    event.stopPropagation(); // the notebook would move to another cell
     const from = pointer ?? picture.size.map((n) => Math.floor(n / 2));
     point(from.map((x, i) => x + step[i] * (event.shiftKey ? 10 : 1)));
   });

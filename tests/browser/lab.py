@@ -149,12 +149,16 @@ def write_notebook(path: Path, *cells: str) -> Path:
     return path
 
 
+SHOWN = """() => {
+  const app = window.jupyterapp;
+  return Boolean(app?.shell.currentWidget?.sessionContext)
+    && app.commands.hasCommand("notebook:run-all-cells");
+}"""
+
 READY = """async () => {
-  const panel = window.jupyterapp?.shell.currentWidget;
-  if (!panel?.context) return false;
+  const panel = window.jupyterapp.shell.currentWidget;
   await panel.context.ready;
   await panel.sessionContext.ready;
-  return true;
 }"""
 
 RUN_ALL = """async () => {
@@ -171,7 +175,8 @@ def open_notebook(page: Any, lab: Lab, path: Path) -> None:
     """Open a notebook of the lab's folder in a page and wait until its kernel is ready."""
     place = path.relative_to(lab.folder).as_posix()
     page.goto(f"{lab.url}/lab/tree/{place}?token={lab.token}&reset")
-    page.wait_for_function(READY, timeout=60_000)
+    page.wait_for_function(SHOWN, timeout=60_000)
+    page.evaluate(READY)
 
 
 def run_all_cells(page: Any) -> list[str]:

@@ -1,0 +1,1 @@
+"""Measured, not remembered: ours and a peer in the same run, on the same machine."""
