@@ -1,0 +1,1 @@
+"""From a lesson to nbgrader's source notebook and to the notebook that students open."""

@@ -1,0 +1,156 @@
+"""Turn a function of the library into text that stands on its own in a notebook cell."""
+
+from __future__ import annotations
+
+import ast
+import builtins
+import inspect
+import textwrap
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+BEGIN, END = "### BEGIN SOLUTION", "### END SOLUTION"
+#: Sections of a docstring that a student does not need in order to write the function.
+LEFT_OUT = ("Raises", "References")
+INDENT = "    "
+
+
+@dataclass(frozen=True)
+class Pasted:
+    """A function in pieces: signature, docstring, and a body with the imports it needs."""
+
+    signature: str
+    docstring: str
+    body: str
+
+    def as_solution(self) -> str:
+        """Return the function with its body marked for nbgrader to take out."""
+        begin, end = INDENT + BEGIN, INDENT + END
+        return "\n".join([self.signature, *self._docstring(), begin, self.body, end])
+
+    def as_function(self) -> str:
+        """Return the function as a student would write it into the cell, without marks."""
+        return "\n".join([self.signature, *self._docstring(), self.body])
+
+    def without_docstring(self) -> Pasted:
+        """Return the same function without its docstring."""
+        return Pasted(self.signature, "", self.body)
+
+    def _docstring(self) -> list[str]:
+        return [self.docstring] if self.docstring else []
+
+
+def paste(function: Callable[..., Any], name: str = "") -> Pasted:
+    """Take a function's source apart, so that it runs in a notebook.
+
+    Parameters
+    ----------
+    function : callable
+        A function defined in a module with ``def``; plain, without a closure.
+    name : str, optional
+        What it is called in the notebook; its own name unless told otherwise.
+
+    Returns
+    -------
+    Pasted
+        Without annotations; with an import of each global name it uses. NumPy is expected to be
+        there as ``np``.
+    """
+    source = textwrap.dedent(inspect.getsource(function))
+    definition = ast.parse(source).body[0]
+    assert isinstance(definition, ast.FunctionDef)
+    documented = ast.get_docstring(definition, clean=False) is not None
+    begins = definition.body[0].end_lineno if documented else _header_end(definition)
+    lines = source.splitlines()[begins : definition.end_lineno]
+    body = textwrap.indent(textwrap.dedent("\n".join(lines)).strip("\n"), INDENT)
+    imports = textwrap.indent("\n".join(needed_imports(function, definition)), INDENT)
+    return Pasted(
+        _signature(definition, name or function.__name__),
+        _docstring(ast.get_docstring(definition) or ""),
+        f"{imports}\n\n{body}" if imports else body,
+    )
+
+
+def needed_imports(function: Callable[..., Any], definition: ast.FunctionDef) -> list[str]:
+    """Return the import lines for the global names that a function's statements use."""
+    used = [node for part in definition.body for node in ast.walk(part)]
+    names = {node.id for node in used if isinstance(node, ast.Name)}
+    scope = inspect.unwrap(function).__globals__
+    found = {name: scope[name] for name in names if name in scope and not hasattr(builtins, name)}
+    lines, by_module = [], dict[str, list[str]]()
+    for name, value in sorted(found.items()):
+        if isinstance(value, ModuleType):
+            lines += [] if value is np else [_import_module(value.__name__, name)]
+        else:
+            by_module.setdefault(_home(name, value, function), []).append(name)
+    return lines + [f"from {module} import {', '.join(by_module[module])}" for module in by_module]
+
+
+def literal(value: Any) -> str:
+    """Write given data as an expression: numbers, texts, tuples and arrays."""
+    if isinstance(value, np.ndarray):
+        return f"np.array({value.tolist()!r})"
+    if isinstance(value, np.generic):
+        return repr(value.item())
+    if isinstance(value, tuple):
+        return "(" + ", ".join(map(literal, value)) + ("," if len(value) == 1 else "") + ")"
+    return repr(value)
+
+
+def call(name: str, inputs: Mapping[str, Any]) -> str:
+    """Write the call of a function with given data."""
+    return f"{name}({', '.join(f'{key}={literal(value)}' for key, value in inputs.items())})"
+
+
+def _home(name: str, value: Any, function: Callable[..., Any]) -> str:
+    """Return the module to import a name from: where it is defined, or where it is used."""
+    defined = getattr(value, "__module__", None)
+    same_name = getattr(value, "__name__", None) == name
+    return defined if defined and same_name else function.__module__
+
+
+def _import_module(module: str, name: str) -> str:
+    package, _, leaf = module.rpartition(".")
+    return (
+        f"from {package} import {name}"
+        if leaf == name and package
+        else f"import {module} as {name}"
+    )
+
+
+def _header_end(definition: ast.FunctionDef) -> int:
+    return definition.body[0].lineno - 1
+
+
+def _signature(definition: ast.FunctionDef, name: str) -> str:
+    arguments = definition.args
+    everyone = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs]
+    for argument in [*everyone, arguments.vararg, arguments.kwarg]:
+        if argument is not None:
+            argument.annotation = None
+    return f"def {name}({ast.unparse(arguments)}):"
+
+
+def _docstring(text: str) -> str:
+    if not text:
+        return ""
+    quotes = 'r"""' if "\\" in text else '"""'
+    lines = (quotes + _without_sections(text).rstrip()).splitlines()
+    closing = ['"""'] if len(lines) > 1 else []
+    lines[-1] += "" if closing else '"""'
+    return "\n".join((INDENT + line).rstrip() for line in lines + closing)
+
+
+def _without_sections(text: str) -> str:
+    """Leave out whole sections of a numpydoc docstring."""
+    lines, kept, keeping = text.splitlines(), [], True
+    for line, following in zip(lines, [*lines[1:], ""], strict=True):
+        if line.strip() and following.strip() and set(following.strip()) == {"-"}:
+            keeping = line.strip() not in LEFT_OUT
+        if keeping:
+            kept.append(line)
+    return "\n".join(kept)

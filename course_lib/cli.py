@@ -1,0 +1,89 @@
+"""The ``course`` command: build notebooks from lessons, set a term up."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import course_lib
+
+
+class UsageError(Exception):
+    """Something that the person at the keyboard can put right; its text is one sentence."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a ``course`` command.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        What follows ``course`` on the command line.
+
+    Returns
+    -------
+    int
+        Exit code: 0 all is well, 1 a check found something, 2 it could not be done.
+    """
+    options = _parser().parse_args(arguments)
+    try:
+        return int(options.run(options))
+    except (UsageError, ValueError, OSError, RuntimeError) as error:
+        print(f"course: {error}", file=sys.stderr)
+        return 2
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="course", description="For authors and instructors of the camera course."
+    )
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    _add_build(commands)
+    return parser
+
+
+def _add_build(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    command = commands.add_parser(
+        "build",
+        help="make the student notebooks from the lessons",
+        description="Make notebooks/NN_topic/NN_topic.ipynb from lessons/NN_topic.md.",
+    )
+    command.add_argument("lessons", nargs="*", metavar="NN_topic", help="only these lessons")
+    command.add_argument(
+        "--check",
+        action="store_true",
+        help="change nothing; say what is wrong with lessons, and which notebooks are stale",
+    )
+    command.set_defaults(run=_build)
+
+
+def _build(options: argparse.Namespace) -> int:
+    from course_lib.authoring.building import build, check_built, find_lessons
+
+    root = course_folder()
+    if options.check:
+        problems = check_built(root, options.lessons)
+        print("\n".join(problems) or "All lessons are well formed, all notebooks fresh.")
+        return 1 if problems else 0
+    changed = build(root, options.lessons)
+    for path in changed:
+        print(f"wrote {path.relative_to(root).as_posix()}")
+    if not changed:
+        print(f"Nothing to do: {len(find_lessons(root, options.lessons))} notebooks are fresh.")
+    return 0
+
+
+def course_folder(start: Path | None = None) -> Path:
+    """Return the course's folder: the working directory or one above it, or the library's own."""
+    start = start or Path.cwd()
+    candidates = [start, *start.parents, Path(course_lib.__file__).parents[1]]
+    found = next((folder for folder in candidates if (folder / "lessons").is_dir()), None)
+    if found is None:
+        raise UsageError("there is no folder `lessons` here; run this in the course's folder")
+    return found
+
+
+if __name__ == "__main__":
+    sys.exit(main())

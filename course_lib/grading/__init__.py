@@ -1,0 +1,1 @@
+"""A term of the course in nbgrader: its directory, its plug-ins, its secret."""
