@@ -1,0 +1,192 @@
+"""Still figures: what a pinhole does to sizes, distances and parallel lines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.camera import project_pinhole
+from course_lib.drawing.diagrams import (
+    Floats,
+    figure,
+    fit,
+    panels,
+    same_shape,
+    sketch,
+    stroke,
+    write,
+)
+from course_lib.drawing.style import BLACK, FULL_WIDTH, GREEN, GREY, LIGHT, ORANGE, RED, ROLES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+GABLE = [(-3, 1.5), (3, 1.5), (3, -2.5), (0, -5), (-3, -2.5)]  # X, Y in m, y down
+HOUSE_EDGES = [(i, (i + 1) % 5) for i in range(5)]
+HOUSE_EDGES += [(i + 5, j + 5) for i, j in HOUSE_EDGES] + [(i, i + 5) for i in range(5)]
+
+
+def house(X: float = 2.0, Z: float = 14.0, depth: float = 8.0) -> Floats:
+    """Return the ten corners of a house in the camera frame.
+
+    Parameters
+    ----------
+    X, Z : float
+        Middle of its front, m.
+    depth : float
+        Length of the house along the optical axis, m.
+
+    Returns
+    -------
+    ndarray, shape (10, 3)
+        Five corners of the front, then those of the back, m; the ground is 1.5 m below the hole.
+    """
+    return np.array([(x + X, y, z) for z in (Z, Z + depth) for x, y in GABLE])
+
+
+@figure
+def house_picture(
+    points: ArrayLike,
+    f: float = 800.0,
+    c: tuple[float, float] = (319.5, 239.5),
+    yours: ArrayLike | None = None,
+) -> Figure:
+    """Draw the picture of a house from its projected corners.
+
+    Parameters
+    ----------
+    points : array_like, shape (10, 3)
+        From `house`, camera frame, m.
+    f, c : float and (float, float)
+        Focal length and principal point, px.
+    yours : array_like, shape (10, 2), optional
+        Pixels that a student's function gave for the same points.
+
+    Returns
+    -------
+    Figure
+        A picture of 640 × 480 px: open circles by the course, filled ones by the student.
+    """
+    pixels = project_pinhole(points, f, c)
+    fig, ax = panels(1, 1, (6.4, 4.8))
+    _picture_frame(ax, (640, 480))
+    ax.plot(*pixels.T, "o", mfc="none", mec=BLACK, ms=11, mew=1.5, label="the course's function")
+    drawn = same_shape(yours, pixels)
+    if drawn is not None:
+        for start, end in HOUSE_EDGES:
+            stroke(ax, drawn[[start, end]], "second")
+        ax.plot(*drawn.T, "o", color=ROLES["second"], ms=6, label="your function")
+    ax.plot(*c, "+", color=GREY, ms=12, label="principal point")
+    ax.legend(loc="lower left")
+    return fig
+
+
+def _picture_frame(ax: Axes, size: tuple[int, int]) -> None:
+    """Turn `ax` into a picture with pixel coordinates, v down."""
+    width, height = size
+    ax.set(xlim=(-0.5, width - 0.5), ylim=(height - 0.5, -0.5), aspect="equal")
+    ax.set(xlabel="u (px)", ylabel="v (px)")
+    ax.spines[["top", "right"]].set_visible(True)
+
+
+@figure
+def size_against_distance(f: float = 800.0, height: float = 1.8, marked: float = 5.0) -> Figure:
+    """Show how the height of a person in the picture falls with the distance.
+
+    Parameters
+    ----------
+    f, height, marked : float
+        Focal length in px, height of the person and one distance to mark, m.
+
+    Returns
+    -------
+    Figure
+        Height in px against distance in m; the marks are at 1, 2 and 4 times `marked`.
+    """
+    Z = np.linspace(2, 45, 300)
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.2))
+    ax.plot(Z, f * height / Z, color=ROLES["image"])
+    for distance in marked * np.array([1, 2, 4]):
+        size = f * height / distance
+        stroke(ax, [(distance, 0), (distance, size)], "object", lw=6, solid_capstyle="butt")
+        write(ax, (distance + 0.7, size + 14), f"{distance:g} m: {size:.0f} px", ha="left")
+    ax.set(xlabel="distance Z (m)", ylabel="height in the picture (px)", xlim=(0, 45), ylim=0)
+    return fig
+
+
+@figure
+def foreshortening(f: float = 2.0, height: float = 1.6, step: float = 2.0) -> Figure:
+    """Show why equal steps on the ground are unequal steps in the picture.
+
+    Parameters
+    ----------
+    f, height, step : float
+        Focal length, height of the hole above the ground and length of a step, m (a huge
+        camera, so that all of it fits in one drawing).
+
+    Returns
+    -------
+    Figure
+        Side view; the rays to the ends of the steps cut the image plane.
+    """
+    Z = 4 + step * np.arange(6)
+    fig, ax = panels(1, 1, (FULL_WIDTH, 2.9))
+    sketch(ax)
+    for start, end, shade in zip(Z[:-1], Z[1:], (ORANGE, LIGHT) * 3, strict=False):
+        ax.fill_between([start, end], -height - 0.14, -height, color=shade, lw=0)
+        stroke(ax, [(0, 0), (end, -height)], "ray", lw=1)
+        rows = -f * height / np.array([start, end])
+        colour = GREEN if shade == ORANGE else GREY
+        ax.plot([f, f], rows, color=colour, lw=6, solid_capstyle="butt")
+    stroke(ax, [(0, 0), (Z[0], -height)], "ray", lw=1)
+    stroke(ax, [(0, 0), (Z[-1], 0)], "guide", lw=1.5, ls=(0, (8, 4)))
+    stroke(ax, [(f, -1.1), (f, 0.4)], "image", lw=1.5)
+    ax.plot(0, 0, "o", color=BLACK, ms=8)
+    write(ax, (0, 0.2), "hole", va="bottom")
+    write(ax, (f, 0.45), "image plane", "image", va="bottom")
+    write(ax, (Z[-1], 0.1), "towards the horizon", "guide", ha="right", va="bottom")
+    write(ax, (Z.mean(), -height - 0.3), f"ground, steps of {step:g} m", va="top")
+    fit(ax, -0.6, Z[-1] + 0.3, -height - 0.75, 0.9)
+    return fig
+
+
+@figure
+def one_line_runs_away(direction: Sequence[float] = (1.0, 0.5), f: float = 2.0) -> Figure:
+    """Show why the image of a line ends in a vanishing point: points that run away along it.
+
+    Parameters
+    ----------
+    direction : sequence of float
+        Direction (X, Z) of the line; seen from above.
+    f : float
+        Focal length.
+
+    Returns
+    -------
+    Figure
+        Top view: rays to points farther and farther along the line turn towards its direction.
+    """
+    d = np.array(direction[::-1], float) / np.linalg.norm(direction)  # drawn as (Z, X)
+    start = np.array([3.0, -0.4])
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.9))
+    sketch(ax)
+    stroke(ax, [start, start + 8 * d], "object")
+    for along in (0.0, 1.0, 2.5, 5.0, 8.0):
+        point = start + along * d
+        stroke(ax, [(0, 0), point], "ray", lw=1)
+        ax.plot(*point, "o", color=RED, ms=7)
+        ax.plot(f, f * point[1] / point[0], "o", color=GREEN, ms=6)
+    stroke(ax, [(0, 0), 8.3 * d], "guide", lw=1.5, ls=(0, (6, 3)))
+    end = np.array([f, f * d[1] / d[0]])
+    stroke(ax, [(f, -0.9), (f, end[1] + 0.7)], "image", lw=2)
+    ax.plot(*end, "*", color=ROLES["second"], ms=16, zorder=5)
+    ax.plot(0, 0, "o", color=BLACK, ms=8)
+    write(ax, (0, -0.25), "hole", va="top")
+    write(ax, end + (-0.2, 0.1), "vanishing point", ha="right", va="bottom")
+    write(ax, start + 8 * d + (0.15, 0), "a line with direction d", "object", ha="left")
+    fit(ax, -0.5, start[0] + 8 * d[0] + 3.0, -1.2, max(8.4 * d[1], start[1] + 8.2 * d[1]))
+    return fig
