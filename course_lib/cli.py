@@ -41,6 +41,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     _add_build(commands)
+    _add_term(commands)
     return parser
 
 
@@ -72,6 +73,41 @@ def _build(options: argparse.Namespace) -> int:
         print(f"wrote {path.relative_to(root).as_posix()}")
     if not changed:
         print(f"Nothing to do: {len(find_lessons(root, options.lessons))} notebooks are fresh.")
+    return 0
+
+
+def _add_term(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    command = commands.add_parser(
+        "term",
+        help="make a course directory in which nbgrader works",
+        description="Make a term's course directory for nbgrader, outside the course's own folder.",
+    )
+    command.add_argument("directory", type=Path, metavar="DIR", help="a new folder")
+    command.add_argument(
+        "--chapters",
+        nargs="+",
+        default=[],
+        metavar="NN_topic",
+        help="which lessons are graded (all but 00_welcome)",
+    )
+    command.add_argument("--course-id", default="", metavar="ID", help="the name of DIR")
+    command.add_argument(
+        "--exchange",
+        type=Path,
+        metavar="DIR",
+        help="where students fetch and submit with nbgrader (DIR/exchange)",
+    )
+    command.set_defaults(run=_term)
+
+
+def _term(options: argparse.Namespace) -> int:
+    from course_lib.grading.term import make_term, plan_term
+
+    root = course_folder()
+    term = plan_term(options.directory, root, options.chapters, options.course_id, options.exchange)
+    make_term(term, root)
+    print(f"Made {term.directory} with {', '.join(term.chapters)}.")
+    print(f"Next: cd there, read README.md, run: nbgrader generate_assignment {term.chapters[0]}")
     return 0
 
 

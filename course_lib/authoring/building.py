@@ -190,7 +190,6 @@ def _normal(notebook: NotebookNode) -> NotebookNode:
     """Leave nothing in a notebook that depends on the machine or on the build."""
     notebook.metadata = nbformat.from_dict(METADATA)
     for cell in notebook.cells:
-        cell.metadata.pop("tags", None)
         if cell.cell_type == "code":
             cell.outputs, cell.execution_count = [], None
     return notebook

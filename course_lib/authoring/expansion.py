@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections import Counter
 from typing import Any
 
@@ -18,6 +19,8 @@ from course_lib.judging.text import format_points
 
 #: Tag of a solution cell that holds variables, not a function.
 VALUES = "values"
+#: nbgrader's id of the cell with the imports.
+SETUP = "setup"
 #: The same whatever Python builds the notebooks.
 METADATA = {
     "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
@@ -94,7 +97,10 @@ def _expand_cell(lesson: Lesson, cell: LessonCell) -> list[NotebookNode]:
     if cell.role == "text":
         return [new_markdown_cell(cell.source, metadata=cell.metadata)]
     if cell.role == "code":
-        return [new_code_cell(cell.source, metadata=cell.metadata)]
+        metadata = dict(cell.metadata)
+        if cell is _setup(lesson):
+            metadata["nbgrader"] = _flags(SETUP, locked=True)
+        return [new_code_cell(cell.source, metadata=metadata)]
     try:
         exercise = find(cell.exercise)
     except ValueError as error:
@@ -105,6 +111,13 @@ def _expand_cell(lesson: Lesson, cell: LessonCell) -> list[NotebookNode]:
         return _exercise(exercise)
     other = "a Markdown cell tagged `explain`" if cell.role == "exercise" else "a code cell"
     raise LessonError(lesson.path, cell.line, f"{cell.exercise} belongs in {other}")
+
+
+def _setup(lesson: Lesson) -> LessonCell | None:
+    """Return the cell that imports `check`; it is read-only, as every exercise needs it."""
+    imports = re.compile(r"^from course_lib\.notebook import .*\bcheck\b", re.MULTILINE)
+    code = (cell for cell in lesson.cells if cell.role == "code")
+    return next((cell for cell in code if imports.search(cell.source)), None)
 
 
 def _exercise(exercise: Exercise) -> list[NotebookNode]:

@@ -26,6 +26,7 @@ class ClearValues(NbGraderPreprocessor):  # type: ignore[misc]
         """Clear one cell, if it holds variables."""
         if VALUES in cell.metadata.get("tags", []):
             cell.source = cell.source.replace(CODE_STUB, "").rstrip()
+            del cell.metadata["tags"]
         return cell, resources
 
 

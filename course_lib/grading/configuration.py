@@ -1,0 +1,52 @@
+"""nbgrader's options for a term of the course: what `nbgrader_config.py` there asks for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from nbgrader.converters import Autograde
+from nbgrader.preprocessors import Execute, OverwriteCells
+from traitlets.config import Config
+
+from course_lib.authoring.options import find_scripts, release_options
+from course_lib.grading.restoring import RestoreCells
+from course_lib.grading.seeding import ExecuteWithSeed
+from course_lib.grading.verdicts import KeepVerdicts
+
+
+def configure(options: Config, key_file: str | Path) -> None:
+    """Plug the course into nbgrader; its own commands and buttons stay as they are.
+
+    Parameters
+    ----------
+    options : traitlets.config.Config
+        ``c`` of ``nbgrader_config.py``; changed in place.
+    key_file : path
+        Where the term's key is.
+    """
+    find_scripts()
+    options.merge(release_options())
+    options.ExecuteWithSeed.key_file = str(key_file)
+    options.Autograde.sanitize_preprocessors = _usual("sanitize_preprocessors").put(
+        RestoreCells, before=OverwriteCells
+    )
+    options.Autograde.autograde_preprocessors = _usual("autograde_preprocessors").swap(
+        Execute, [ExecuteWithSeed, KeepVerdicts]
+    )
+
+
+class _Steps(list[type]):
+    """nbgrader's list of preprocessors, with ours among them."""
+
+    def put(self, step: type, before: type) -> _Steps:
+        return self.swap(before, [step, before])
+
+    def swap(self, old: type, new: list[type]) -> _Steps:
+        at = self.index(old)
+        return _Steps([*self[:at], *new, *self[at + 1 :]])
+
+
+def _usual(name: str) -> _Steps:
+    steps: Any = Autograde.class_traits()[name].default()
+    return _Steps(steps)

@@ -1,0 +1,245 @@
+"""A simulated class: submissions of every kind, each with the points that it must get.
+
+This is where the generators meet the exercises: what a student types is the source of a reference
+or of a misconception, and what it is worth is found on seeds of its own, so that the class knows
+nothing of a term's secret.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import nbformat
+from nbformat import NotebookNode
+from nbformat.v4 import new_code_cell, new_notebook
+
+from course_lib.authoring.building import notebook_bytes
+from course_lib.authoring.expansion import check_id, grade_id, values_answer
+from course_lib.authoring.pasting import Pasted, paste
+from course_lib.exercises import all_exercises
+from course_lib.judging import (
+    Exercise,
+    Explain,
+    Misconception,
+    ValuesExercise,
+    answer,
+    judge,
+    pose,
+)
+from data_generators.mishaps import NOISES, TROUBLES
+
+Solutions = Mapping[str, Callable[..., Any]]
+#: Seeds on which a wrong answer's points are found; they must agree on all of them.
+SEEDS = range(7, 12)
+WORDS = "A long lens only enlarges; the faces look flat because we stand farther away."
+
+
+@dataclass(frozen=True)
+class Typed:
+    """What a student typed into the cell of one exercise, and what that is worth."""
+
+    source: str
+    points: float
+    hint: str = ""
+
+
+@dataclass(frozen=True)
+class Submission:
+    """What a student hands in.
+
+    Parameters
+    ----------
+    student : str
+        The name nbgrader knows them by; here it says what is special about the submission.
+    content : bytes
+        The file.
+    points : mapping of str to float, or None
+        By exercise, for those that are graded automatically. None if the file cannot be graded.
+    hints : sequence of str
+        What the feedback must say.
+    filename : str
+        Its name; empty if it is the assignment's.
+    """
+
+    student: str
+    content: bytes
+    points: Mapping[str, float] | None
+    hints: Sequence[str] = ()
+    filename: str = ""
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """A released notebook and the exercises in it, from which submissions are made."""
+
+    released: NotebookNode
+    chapter: str
+    rewritten: Solutions = field(default_factory=dict)
+
+    @property
+    def exercises(self) -> list[Exercise]:
+        """The exercises that are graded automatically."""
+        return [e for e in all_exercises(self.chapter) if isinstance(e, Exercise)]
+
+    def hand_in(self, student: str, typed: Mapping[str, Typed], words: str = WORDS) -> Submission:
+        """Fill answers into the notebook; exercises without one stay untouched."""
+        notebook = copy.deepcopy(self.released)
+        cells = {cell.metadata.get("nbgrader", {}).get("grade_id"): cell for cell in notebook.cells}
+        for name, one in typed.items():
+            cells[grade_id(name)].source = one.source
+        for question in all_exercises(self.chapter):
+            if isinstance(question, Explain) and words:
+                cells[grade_id(question.name)].source = words
+        points = {e.name: typed[e.name].points if e.name in typed else 0.0 for e in self.exercises}
+        hints = tuple(one.hint for one in typed.values() if one.hint)
+        return Submission(student, notebook_bytes(notebook), points, hints)
+
+
+def simulate_class(released: NotebookNode, chapter: str, rewritten: Solutions) -> list[Submission]:
+    """Make a class in which each kind of submission occurs.
+
+    Parameters
+    ----------
+    released : nbformat.NotebookNode
+        The notebook that students got.
+    chapter : str
+        Its chapter's module of exercises, e.g. ``"pinhole"``.
+    rewritten : mapping of str to callable
+        A right answer to each exercise, by function name, written differently from the library.
+
+    Returns
+    -------
+    list of Submission
+        Right, rewritten, half done, untouched; the k-th misconception of every exercise; answers
+        that fail, or are right but noisy; files with cells deleted or in a bad state.
+    """
+    simulation = Simulation(released, chapter, rewritten)
+    makers = (_good, _misconceived, _troubled, _damaged)
+    return [submission for maker in makers for submission in maker(simulation)]
+
+
+def write_submissions(directory: Path, assignment: str, submissions: Sequence[Submission]) -> None:
+    """Put submissions where ``nbgrader collect`` would.
+
+    Parameters
+    ----------
+    directory : pathlib.Path
+        A term's course directory.
+    assignment : str
+        E.g. ``"01_pinhole"``.
+    submissions : sequence of Submission
+        From `simulate_class`.
+    """
+    for submission in submissions:
+        folder = directory / "submitted" / submission.student / assignment
+        folder.mkdir(parents=True)
+        name = submission.filename or f"{assignment}.ipynb"
+        (folder / name).write_bytes(submission.content)
+
+
+def right(exercise: Exercise, function: Callable[..., Any] | None = None) -> Typed:
+    """Type a right answer: the reference's own source, or that of another function."""
+    return Typed(_source(exercise, function or exercise.reference), exercise.points)
+
+
+def misconceived(exercise: Exercise, misconception: Misconception) -> Typed:
+    """Type the answer of someone who has a misconception."""
+    points = expected_points(exercise, misconception.variant)
+    return Typed(_source(exercise, misconception.variant), points, misconception.hint)
+
+
+def expected_points(exercise: Exercise, function: Callable[..., Any]) -> float:
+    """Return what a function earns, on any seed.
+
+    Raises
+    ------
+    ValueError
+        If it depends on the seed.
+    """
+    found = set()
+    for seed in SEEDS:
+        cases = pose(exercise, seed)
+        found.add(judge(exercise, cases, answer(exercise, function, cases), reveal=False).points)
+    if len(found) > 1:
+        raise ValueError(f"{function.__name__} earns {sorted(found)}, depending on the seed")
+    return found.pop()
+
+
+def _source(exercise: Exercise, function: Callable[..., Any]) -> str:
+    if isinstance(exercise, ValuesExercise):
+        return values_answer(exercise, function, exercise.function_name)
+    documented = paste(exercise.reference)
+    own = paste(function, exercise.function_name)
+    return Pasted(documented.signature, documented.docstring, own.body).as_function()
+
+
+def _good(simulation: Simulation) -> Iterator[Submission]:
+    exercises, rewritten = simulation.exercises, simulation.rewritten
+    done = {e.name: right(e) for e in exercises}
+    yield simulation.hand_in("right", done)
+    other = {e.name: right(e, rewritten[e.function_name]) for e in exercises}
+    yield simulation.hand_in("rewritten", other)
+    half = {e.name: done[e.name] for e in exercises[::2]}
+    yield simulation.hand_in("half-done", half, words="")
+    yield simulation.hand_in("untouched", {}, words="")
+
+
+def _misconceived(simulation: Simulation) -> Iterator[Submission]:
+    exercises = simulation.exercises
+    for k in range(max(len(e.misconceptions) for e in exercises)):
+        typed = {
+            e.name: misconceived(e, e.misconceptions[k]) if k < len(e.misconceptions) else right(e)
+            for e in exercises
+        }
+        yield simulation.hand_in(f"misconception-{k + 1}", typed)
+
+
+def _troubled(simulation: Simulation) -> Iterator[Submission]:
+    for student, mishaps, kept in (("troubled", TROUBLES, 0.0), ("noisy", NOISES, 1.0)):
+        typed = {}
+        for k, exercise in enumerate(simulation.exercises):
+            if isinstance(exercise, ValuesExercise):
+                continue
+            happens = list(mishaps.values())[k % len(mishaps)]
+            typed[exercise.name] = Typed(happens(exercise), kept * exercise.points)
+        yield simulation.hand_in(student, typed)
+
+
+def _damaged(simulation: Simulation) -> Iterator[Submission]:
+    exercises = simulation.exercises
+    whole = simulation.hand_in("whole", {e.name: right(e) for e in exercises})
+    first, second = exercises[0].name, exercises[1].name
+
+    notebook = _read(whole)
+    gone = {check_id(first), grade_id(second), check_id(second), "setup"}
+    notebook.cells = [c for c in notebook.cells if _flag(c) not in gone]
+    notebook.cells.insert(0, new_code_cell("import numpy as np"))
+    points = {**(whole.points or {}), second: 0.0}
+    yield Submission("deleted-cells", notebook_bytes(notebook), points)
+
+    bare = new_notebook(cells=[new_code_cell(c.source) for c in _code(_read(whole))])
+    yield Submission("copied-out", notebook_bytes(bare), whole.points)
+
+    notebook = _read(whole)
+    notebook.metadata.kernelspec = {"name": "matlab", "display_name": "M", "language": "matlab"}
+    yield Submission("other-kernel", notebook_bytes(notebook), whole.points)
+
+    yield Submission("cut-off", whole.content[: len(whole.content) // 2], None)
+    yield Submission("empty-file", b"", None)
+    yield Submission("renamed", whole.content, None, filename="my homework (final).ipynb")
+
+
+def _read(submission: Submission) -> NotebookNode:
+    return nbformat.reads(submission.content.decode("utf-8"), as_version=4)
+
+
+def _flag(cell: NotebookNode) -> str:
+    return str(cell.metadata.get("nbgrader", {}).get("grade_id", ""))
+
+
+def _code(notebook: NotebookNode) -> list[NotebookNode]:
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
