@@ -89,7 +89,7 @@ class Picture:
     size : tuple of int
         Width and height in px.
     image : ndarray, shape (height, width, 3), uint8, optional
-        The photograph, RGB.
+        The photograph, RGB; another shape or type raises a ValueError.
     lines, labels : tuple
         Drawn over the photograph, in its pixels.
     probes : tuple of Probe
@@ -106,6 +106,14 @@ class Picture:
     labels: tuple[Label, ...] = ()
     probes: tuple[Probe, ...] = ()
     pixels: bool = False
+
+    def __post_init__(self) -> None:
+        image, shape = self.image, (self.size[1], self.size[0], 3)
+        if image is not None and (image.dtype != np.uint8 or image.shape != shape):
+            raise ValueError(
+                f"{self.title}: expected a uint8 image of shape {shape}, got {image.dtype} "
+                f"of shape {image.shape}"
+            )
 
 
 @dataclass(frozen=True)

@@ -55,7 +55,7 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         self._controls: dict[str, Control] = dict(zip(names, controls, strict=True))
         self._frame = frame
         self._state: dict[str, Value] = {c.name: c.nearest(c.default) for c in controls}
-        self._count = 0
+        self._count, self._raw = 0, False
         # JupyterLab delivers widget messages on a thread of their own.
         self._lock = threading.Lock()
         message, buffers = self._answer({})
@@ -100,6 +100,7 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
 
     def _receive(self, _: object, content: Mapping[str, Any], __: object) -> None:
         """Answer a message of a view: its state, or only ``hello``."""
+        self._raw = bool(content.get("raw"))
         message, buffers = self._answer(content.get("state") or {})
         mine = {"view": content.get("view"), "seq": content.get("seq")}
         self.send(message | mine, buffers)
@@ -112,7 +113,7 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
             try:
                 frame = self.frame_now()
                 self._move(frame.follows)
-                message, buffers = encode_frame(frame)
+                message, buffers = encode_frame(frame, self._raw)
             except Exception as error:  # a frame function may fail in any way; the reader is told
                 message, buffers = {"error": self._sentence(error)}, []
             return {"count": self._count, "state": self.state} | message, buffers
