@@ -11,8 +11,8 @@ from typing import Any
 
 
 def __getattr__(name: str) -> Any:
-    """Load what a notebook calls (`check`, `solution`) only when it is asked for."""
-    if name in ("check", "solution"):
+    """Load what a notebook calls (`check`, `attempt`, `solution`) only when it is asked for."""
+    if name in ("attempt", "check", "solution"):
         from course_lib import notebook
 
         return getattr(notebook, name)

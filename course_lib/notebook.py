@@ -1,7 +1,8 @@
-"""What a notebook of the course calls: `check` an answer, show a `solution`."""
+"""What a notebook of the course calls: `check` an answer, `attempt` to use it, see a `solution`."""
 
 from __future__ import annotations
 
+import copy
 import getpass
 import inspect
 import os
@@ -13,6 +14,7 @@ from typing import Any
 from course_lib.exercises import find
 from course_lib.judging import Exercise, ValuesExercise, Verdict, answer, judge, pose, seed_for
 from course_lib.judging.html import to_html
+from course_lib.judging.limits import TimeLimitReached, time_limit
 from course_lib.judging.text import to_text
 
 #: Set while submissions are graded: the seed of this student's hidden inputs.
@@ -47,6 +49,40 @@ def check(name: str, namespace: Mapping[str, Any] | None = None) -> float:
     verdict = verdict_of(exercise, namespace)
     _show(to_html(verdict), to_text(verdict))
     return float(verdict.points)
+
+
+def attempt(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:
+    """Return what a student's function answers; while it does not, say why and return None.
+
+    Figures use it to draw a student's answer beside the course's own, so that a notebook runs to
+    its end whether an exercise is finished or not.
+
+    Parameters
+    ----------
+    function : callable
+        The student's function. It gets copies of the arguments and a few seconds.
+    *args, **kwargs
+        What it is called with.
+
+    Returns
+    -------
+    object or None
+        Its result; None where it is not written yet, raises or takes too long.
+    """
+    name = getattr(function, "__name__", "your function")
+    inputs, named = copy.deepcopy((args, kwargs))
+    try:
+        with time_limit(3.0):
+            result = function(*inputs, **named)
+    except NotImplementedError:
+        print(f"{name} is not written yet: you see the course's own answer only.")
+    except TimeLimitReached:
+        print(f"{name} takes too long: you see the course's own answer only.")
+    except Exception as error:
+        print(f"{name} stops with {type(error).__name__}: {error}")
+    else:
+        return result
+    return None
 
 
 def solution(name: str) -> None:

@@ -130,3 +130,11 @@ def same_shape(yours: ArrayLike | None, expected: Floats) -> Floats | None:
     except (TypeError, ValueError):
         return None
     return drawable if drawable.shape == np.shape(expected) else None
+
+
+def picture_frame(ax: Axes, size: tuple[int, int]) -> None:
+    """Turn `ax` into a picture of `size` (width, height) px, with v down."""
+    width, height = size
+    ax.set(xlim=(-0.5, width - 0.5), ylim=(height - 0.5, -0.5), aspect="equal")
+    ax.set(xlabel="u (px)", ylabel="v (px)")
+    ax.spines[["top", "right"]].set_visible(True)

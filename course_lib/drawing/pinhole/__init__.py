@@ -20,6 +20,7 @@ from course_lib.drawing.pinhole.perspective import (
     one_line_runs_away,
     size_against_distance,
 )
+from course_lib.drawing.pinhole.photograph import meeting_lines, photograph
 from course_lib.drawing.pinhole.sensors import (
     SENSORS,
     lens_fan,
@@ -27,23 +28,37 @@ from course_lib.drawing.pinhole.sensors import (
     sensors_to_scale,
     view_angle,
 )
+from course_lib.drawing.pinhole.views import (
+    dolly_strip,
+    facade,
+    road_direction,
+    street_lines,
+    street_view,
+)
 
 __all__ = [
     "SENSORS",
     "bare_sensor_and_hole",
     "blur_against_hole",
     "blur_geometry",
+    "dolly_strip",
     "eclipse",
+    "facade",
     "foreshortening",
     "house",
     "house_picture",
     "image_planes",
     "lens_centred",
     "lens_fan",
+    "meeting_lines",
     "one_line_runs_away",
+    "photograph",
     "pixel_grid",
+    "road_direction",
     "sensors_to_scale",
     "similar_triangles",
     "size_against_distance",
+    "street_lines",
+    "street_view",
     "view_angle",
 ]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,7 @@ from course_lib.drawing.diagrams import (
     figure,
     fit,
     panels,
+    picture_frame,
     same_shape,
     sketch,
     stroke,
@@ -30,7 +32,7 @@ HOUSE_EDGES = [(i, (i + 1) % 5) for i in range(5)]
 HOUSE_EDGES += [(i + 5, j + 5) for i, j in HOUSE_EDGES] + [(i, i + 5) for i in range(5)]
 
 
-def house(X: float = 2.0, Z: float = 14.0, depth: float = 8.0) -> Floats:
+def house(X: float = 3.0, Z: float = 18.0, depth: float = 9.0) -> Floats:
     """Return the ten corners of a house in the camera frame.
 
     Parameters
@@ -73,7 +75,7 @@ def house_picture(
     """
     pixels = project_pinhole(points, f, c)
     fig, ax = panels(1, 1, (6.4, 4.8))
-    _picture_frame(ax, (640, 480))
+    picture_frame(ax, (640, 480))
     ax.plot(*pixels.T, "o", mfc="none", mec=BLACK, ms=11, mew=1.5, label="the course's function")
     drawn = same_shape(yours, pixels)
     if drawn is not None:
@@ -83,14 +85,6 @@ def house_picture(
     ax.plot(*c, "+", color=GREY, ms=12, label="principal point")
     ax.legend(loc="lower left")
     return fig
-
-
-def _picture_frame(ax: Axes, size: tuple[int, int]) -> None:
-    """Turn `ax` into a picture with pixel coordinates, v down."""
-    width, height = size
-    ax.set(xlim=(-0.5, width - 0.5), ylim=(height - 0.5, -0.5), aspect="equal")
-    ax.set(xlabel="u (px)", ylabel="v (px)")
-    ax.spines[["top", "right"]].set_visible(True)
 
 
 @figure
@@ -119,43 +113,56 @@ def size_against_distance(f: float = 800.0, height: float = 1.8, marked: float =
 
 
 @figure
-def foreshortening(f: float = 2.0, height: float = 1.6, step: float = 2.0) -> Figure:
+def foreshortening(f: float = 800.0, height: float = 1.6, step: float = 2.0) -> Figure:
     """Show why equal steps on the ground are unequal steps in the picture.
 
     Parameters
     ----------
-    f, height, step : float
-        Focal length, height of the hole above the ground and length of a step, m (a huge
-        camera, so that all of it fits in one drawing).
+    f : float
+        Focal length, px.
+    height, step : float
+        Height of the hole above the ground and length of a step, m.
 
     Returns
     -------
     Figure
-        Side view; the rays to the ends of the steps cut the image plane.
+        Side view with a ray to the end of each step, and the picture of the steps.
     """
-    Z = 4 + step * np.arange(6)
-    fig, ax = panels(1, 1, (FULL_WIDTH, 2.9))
-    sketch(ax)
-    for start, end, shade in zip(Z[:-1], Z[1:], (ORANGE, LIGHT) * 3, strict=False):
-        ax.fill_between([start, end], -height - 0.14, -height, color=shade, lw=0)
-        stroke(ax, [(0, 0), (end, -height)], "ray", lw=1)
-        rows = -f * height / np.array([start, end])
-        colour = GREEN if shade == ORANGE else GREY
-        ax.plot([f, f], rows, color=colour, lw=6, solid_capstyle="butt")
-    stroke(ax, [(0, 0), (Z[0], -height)], "ray", lw=1)
-    stroke(ax, [(0, 0), (Z[-1], 0)], "guide", lw=1.5, ls=(0, (8, 4)))
-    stroke(ax, [(f, -1.1), (f, 0.4)], "image", lw=1.5)
-    ax.plot(0, 0, "o", color=BLACK, ms=8)
-    write(ax, (0, 0.2), "hole", va="bottom")
-    write(ax, (f, 0.45), "image plane", "image", va="bottom")
-    write(ax, (Z[-1], 0.1), "towards the horizon", "guide", ha="right", va="bottom")
-    write(ax, (Z.mean(), -height - 0.3), f"ground, steps of {step:g} m", va="top")
-    fit(ax, -0.6, Z[-1] + 0.3, -height - 0.75, 0.9)
+    Z = 5 + step * np.arange(6, dtype=np.float64)
+    fig, (side, picture) = panels(1, 2, (FULL_WIDTH, 3.4), width_ratios=(1.7, 1))
+    sketch(side, "From the side").set_aspect("auto")
+    _steps_from_the_side(side, Z, height)
+    picture.set_title("In the picture")
+    for k, (near, far) in enumerate(pairwise(Z)):
+        road = [(-2, height, near), (2, height, near), (2, height, far), (-2, height, far)]
+        tile = project_pinhole(road, f, (319.5, 239.5))
+        picture.fill(*tile.T, color=(ORANGE, LIGHT)[k % 2], lw=0)
+    picture.axhline(239.5, color=GREY, lw=1.5, ls=(0, (8, 4)))
+    write(picture, (319.5, 225), "horizon", "guide")
+    picture.set(xlim=(-100, 740), ylim=(520, 200), xlabel="u (px)", ylabel="v (px)")
     return fig
 
 
+def _steps_from_the_side(ax: Axes, Z: Floats, height: float) -> None:
+    """Draw the hole, an image plane and rays to equal steps on the ground."""
+    plane = 0.6 * Z[0]
+    for k, (near, far) in enumerate(pairwise(Z)):
+        ground, image = -height - 0.15, -plane * height / np.array([near, far])
+        ax.fill_between([near, far], ground, -height, color=(ORANGE, LIGHT)[k % 2], lw=0)
+        stroke(ax, [(0, 0), (far, -height)], "ray", lw=1)
+        stroke(ax, [(plane, image[0]), (plane, image[1])], color=(ORANGE, GREY)[k % 2], lw=5)
+    stroke(ax, [(0, 0), (Z[0], -height)], "ray", lw=1)
+    stroke(ax, [(0, 0), (Z[-1], 0)], "guide", lw=1.5, ls=(0, (8, 4)))
+    stroke(ax, [(plane, -1.3), (plane, 0.5)], "image", lw=1)
+    ax.plot(0, 0, "o", color=BLACK, ms=8)
+    write(ax, (0, 0.25), "hole", va="bottom")
+    write(ax, (plane, 0.6), "image plane", "image", va="bottom")
+    write(ax, (Z.mean(), -height - 0.4), "equal steps on the ground", va="top")
+    fit(ax, -0.8, Z[-1] + 0.3, -height - 0.7, 0.9)
+
+
 @figure
-def one_line_runs_away(direction: Sequence[float] = (1.0, 0.5), f: float = 2.0) -> Figure:
+def one_line_runs_away(direction: Sequence[float] = (0.45, 1.0), f: float = 2.0) -> Figure:
     """Show why the image of a line ends in a vanishing point: points that run away along it.
 
     Parameters
@@ -172,7 +179,7 @@ def one_line_runs_away(direction: Sequence[float] = (1.0, 0.5), f: float = 2.0) 
     """
     d = np.array(direction[::-1], float) / np.linalg.norm(direction)  # drawn as (Z, X)
     start = np.array([3.0, -0.4])
-    fig, ax = panels(1, 1, (FULL_WIDTH, 3.9))
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.2))
     sketch(ax)
     stroke(ax, [start, start + 8 * d], "object")
     for along in (0.0, 1.0, 2.5, 5.0, 8.0):
@@ -186,7 +193,7 @@ def one_line_runs_away(direction: Sequence[float] = (1.0, 0.5), f: float = 2.0) 
     ax.plot(*end, "*", color=ROLES["second"], ms=16, zorder=5)
     ax.plot(0, 0, "o", color=BLACK, ms=8)
     write(ax, (0, -0.25), "hole", va="top")
-    write(ax, end + (-0.2, 0.1), "vanishing point", ha="right", va="bottom")
-    write(ax, start + 8 * d + (0.15, 0), "a line with direction d", "object", ha="left")
-    fit(ax, -0.5, start[0] + 8 * d[0] + 3.0, -1.2, max(8.4 * d[1], start[1] + 8.2 * d[1]))
+    write(ax, end + [-0.2, 0.1], "vanishing point", ha="right", va="bottom")
+    write(ax, start + 8 * d + [0.15, 0], "a line with direction d", "object", ha="left")
+    fit(ax, -0.5, start[0] + 8 * d[0] + 3.0, -1.2, 8.5 * d[1])
     return fig

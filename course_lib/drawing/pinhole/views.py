@@ -1,0 +1,188 @@
+"""Still figures made with the synthetic camera, in the street of `data_generators.places`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from course_lib.camera import (
+    Camera,
+    camera_at,
+    dolly_zoom,
+    first_guess_intrinsics,
+    project,
+    vanishing_point,
+)
+from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
+from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, ORANGE, ROLES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+FULL_FRAME = (36.0, 24.0)
+#: The front of the red house: its wall is at x, from y to y, this high, m.
+FRONT_X, FRONT_Y, FRONT_HEIGHT = -6.6, (16.5, 25.5), 5.4
+ROAD_LINES = ((-3.2, 0.0), (3.2, 0.0), (-6.6, 5.6), (6.6, 5.5))  # x, z of lines along the road, m
+CHART = np.array([1.1, 5.2, 1.1])  # middle of the letter chart, m
+
+
+@cache
+def _renderer() -> Any:
+    """Return the renderer of the street; its textures are prepared only once."""
+    from data_generators.places import street
+    from data_generators.quick import QuickRenderer
+
+    return QuickRenderer(street())
+
+
+def _photograph(camera: Camera) -> NDArray[np.uint8]:
+    picture: NDArray[np.uint8] = _renderer().picture(camera)
+    return picture
+
+
+@figure
+def facade(
+    f: float = 16.0,
+    Z: float = 12.0,
+    sensor_size: tuple[float, float] = (27.6, 25.9),
+    image_size: tuple[int, int] = (2048, 1920),
+) -> Figure:
+    """Show the red house as a camera across the street sees it.
+
+    Parameters
+    ----------
+    f, Z : float
+        Focal length in mm and distance from the wall in m.
+    sensor_size, image_size : tuple
+        Width and height of the sensor in mm and of the picture in px.
+
+    Returns
+    -------
+    Figure
+        The photograph, with the width of the house marked.
+    """
+    shown = (640, round(640 * image_size[1] / image_size[0]))
+    middle = np.array([FRONT_X, sum(FRONT_Y) / 2, 2.9])
+    camera = camera_at(
+        middle + (Z, 0, 0), middle, first_guess_intrinsics(f, sensor_size, shown), shown
+    )
+    corners = [(FRONT_X, y, FRONT_HEIGHT * 0.62) for y in FRONT_Y]
+    ends = (project(corners, camera) + 0.5) * image_size[0] / shown[0] - 0.5
+    fig, ax = panels(1, 1, (6.4, 5.6))
+    width, height = image_size
+    ax.imshow(_photograph(camera), extent=(-0.5, width - 0.5, height - 0.5, -0.5))
+    picture_frame(ax, image_size)
+    arrow = {"arrowstyle": "<|-|>", "color": ORANGE, "lw": 2.5, "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", xy=tuple(ends[1]), xytext=tuple(ends[0]), arrowprops=arrow)
+    paper = {"facecolor": "white", "edgecolor": "none", "alpha": 0.9}
+    write(ax, ends.mean(axis=0), f"{FRONT_Y[1] - FRONT_Y[0]:g} m", bbox=paper)
+    ax.set_title(f"f = {f:g} mm, Z = {Z:g} m")
+    return fig
+
+
+def street_view(turn_deg: float, tilt_deg: float = 0.0, f: float = 24.0) -> Camera:
+    """Return a camera on the road, 1.65 m above it, turned to the right and tilted up.
+
+    Parameters
+    ----------
+    turn_deg, tilt_deg : float
+        Angles from the direction of the road, degrees.
+    f : float
+        Focal length on a sensor of 36 mm × 24 mm, mm.
+
+    Returns
+    -------
+    Camera
+        For pictures of 720 px × 480 px.
+    """
+    turn, tilt = np.radians([turn_deg, tilt_deg])
+    forward = np.array([np.sin(turn) * np.cos(tilt), np.cos(turn) * np.cos(tilt), np.sin(tilt)])
+    eye, size = np.array([0.5, -3.5, 1.65]), (720, 480)
+    return camera_at(eye, eye + forward, first_guess_intrinsics(f, FULL_FRAME, size), size)
+
+
+def road_direction(camera: Camera) -> Floats:
+    """Return the direction of the road in the camera frame, shape (3,), a unit vector."""
+    return np.asarray(camera.R @ (0.0, 1.0, 0.0))
+
+
+@figure
+def street_lines(camera: Camera, yours: ArrayLike | None = None) -> Figure:
+    """Show lines along a road running to their vanishing point on the horizon.
+
+    Parameters
+    ----------
+    camera : Camera
+        From `street_view`.
+    yours : array_like, shape (2,), optional
+        The vanishing point that a student's function gave, px.
+
+    Returns
+    -------
+    Figure
+        The photograph with kerbs and eaves made longer, and the horizon.
+    """
+    f, c = np.diag(camera.K)[:2], camera.K[:2, 2]
+    meeting = vanishing_point(road_direction(camera), f, c)
+    fig, ax = panels(1, 1, (FULL_WIDTH, 5.6))
+    ax.imshow(_photograph(camera))
+    picture_frame(ax, camera.image_size)
+    ax.set_autoscale_on(False)
+    for x, z in ROAD_LINES:
+        near = project((x, 12.0, z), camera)
+        ax.plot(*np.array([near, meeting]).T, color=ORANGE, lw=2)
+    across = vanishing_point(camera.R @ (1.0, 1.0, 0.0), f, c)  # another level direction
+    ax.axline(meeting, across, color=BLUE, lw=2, ls=(0, (8, 4)), label="horizon")
+    ax.plot(*meeting, "o", mfc="none", mec=BLACK, ms=13, mew=2, ls="", label="vanishing point")
+    drawn = same_shape(yours, meeting)
+    if drawn is not None:
+        ax.plot(*drawn, "*", color=ROLES["second"], ms=13, ls="", label="your function")
+    ax.legend(loc="lower left", frameon=True, framealpha=0.9)
+    return fig
+
+
+@figure
+def dolly_strip(
+    f: float = 24.0, Z: Sequence[float] = (3.0, 6.0, 12.0), yours: ArrayLike | None = None
+) -> Figure:
+    """Show one object from several distances: through one lens, and with the zoom following.
+
+    Parameters
+    ----------
+    f : float
+        Focal length for the first distance, mm, on a sensor of 36 mm × 24 mm.
+    Z : sequence of float
+        Distances, m.
+    yours : array_like, shape (N,), optional
+        Focal lengths in mm that a student's function gave; used in the second row.
+
+    Returns
+    -------
+    Figure
+        Two rows of photographs.
+    """
+    zoomed = dolly_zoom(f, Z[0], Z)
+    drawn = same_shape(yours, zoomed)
+    usable = drawn is not None and bool((np.isfinite(drawn) & (drawn > 1)).all())
+    rows = (np.full(len(Z), f), drawn if usable and drawn is not None else zoomed)
+    fig, axes = panels(2, len(Z), (FULL_WIDTH, 4.2))
+    for row, lengths in zip(axes, rows, strict=True):
+        for ax, distance, length in zip(row, Z, lengths, strict=True):
+            _chart_from(ax, float(distance), float(length))
+    axes[0, 0].set_ylabel("one lens")
+    axes[1, 0].set_ylabel("dolly zoom" + (" (yours)" if usable else ""))
+    return fig
+
+
+def _chart_from(ax: Axes, Z: float, f: float) -> None:
+    """Show the letter chart from a distance of `Z` m through a lens of `f` mm."""
+    size = (480, 320)
+    K = first_guess_intrinsics(f, FULL_FRAME, size)
+    ax.imshow(_photograph(camera_at(CHART - (0, Z, 0), CHART, K, size)))
+    ax.set(xticks=[], yticks=[])
+    ax.set_title(f"Z = {Z:g} m, f = {f:.0f} mm", fontsize=10, fontweight="normal")
