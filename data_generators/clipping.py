@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
+from numpy.typing import NDArray
 
 from course_lib.checks import Array
 
@@ -105,3 +109,44 @@ def pixels(corners: Array, K: Array) -> Array:
     """Return the image of points in front of the camera, shape (M, 2), px; no checks."""
     homogeneous = corners @ K.T
     return np.asarray(homogeneous[:, :2] / homogeneous[:, 2:])
+
+
+@dataclass(frozen=True)
+class Polygons:
+    """Many polygons in one array, so that what is done to all is done at once.
+
+    Attributes
+    ----------
+    corners : ndarray, shape (V, d)
+        Corners of all polygons, one polygon after the other.
+    starts, ends : ndarray, shape (N,)
+        Where each polygon begins, and the next one.
+    """
+
+    corners: Array
+    starts: NDArray[np.intp]
+    ends: NDArray[np.intp]
+
+    @classmethod
+    def of(cls, parts: Sequence[Array], dimension: int = 3) -> Polygons:
+        """Return polygons, each of shape (M, dimension), together."""
+        ends = np.cumsum(np.array([len(part) for part in parts], np.intp))
+        starts = ends - np.array([len(part) for part in parts], np.intp)
+        return cls(np.concatenate([np.zeros((0, dimension)), *parts]), starts, ends)
+
+    def seen_through(self, K: Array) -> Polygons:
+        """Return their images, px."""
+        return Polygons(pixels(self.corners, K), self.starts, self.ends)
+
+    def low(self) -> Array:
+        """Return the least of each coordinate, shape (N, d)."""
+        return np.asarray(np.minimum.reduceat(self.corners, self.starts))
+
+    def high(self) -> Array:
+        """Return the greatest of each coordinate, shape (N, d)."""
+        return np.asarray(np.maximum.reduceat(self.corners, self.starts))
+
+    def middle(self) -> Array:
+        """Return the mean of the corners, shape (N, d)."""
+        count = (self.ends - self.starts)[:, None]
+        return np.asarray(np.add.reduceat(self.corners, self.starts) / count)

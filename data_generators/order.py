@@ -67,12 +67,13 @@ def back_to_front(near_side: Flags, far_side: Flags, boxes: Array, distance: Arr
     may_precede = near_side | far_side.T
     must_precede = may_precede & ~may_precede.T & overlap
     waiting_for = must_precede.sum(axis=0)
-    key = -distance
-    order = []
-    for _ in range(len(key)):
-        # Among those that wait for the fewest (none, but in a cycle), the farthest.
-        chosen = int(np.argmin(np.where(waiting_for == waiting_for.min(), key, np.inf)))
-        order.append(chosen)
-        waiting_for = waiting_for - must_precede[chosen]
-        waiting_for[chosen] = len(key) + 1
+    order: list[int] = []
+    while len(order) < len(distance):
+        # All that wait for nothing; in a cycle, the one that waits for the fewest.
+        ready = np.flatnonzero(waiting_for == max(0, waiting_for.min()))
+        if waiting_for[ready[0]] > 0:
+            ready = ready[[np.argmax(distance[ready])]]
+        order += ready[np.argsort(-distance[ready], kind="stable")].tolist()
+        waiting_for = waiting_for - must_precede[ready].sum(axis=0)
+        waiting_for[ready] = len(distance) ** 2
     return order

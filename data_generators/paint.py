@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from course_lib.checks import Array
+from data_generators.clipping import Polygons
 from data_generators.scene import Colour, Texture
 
 Picture = NDArray[np.uint8]
@@ -17,12 +17,12 @@ Box = tuple[int, int, int, int]
 SHIFT = 4  # binary digits of a subpixel in OpenCV's polygons
 
 
-def fill_owners(polygons: Sequence[Array], image_size: tuple[int, int], n: int) -> NDArray[Any]:
+def fill_owners(polygons: Polygons, image_size: tuple[int, int], n: int) -> NDArray[Any]:
     """Paint polygons, from back to front, into a map of who is seen where.
 
     Parameters
     ----------
-    polygons : sequence of ndarray, shape (M, 2)
+    polygons : Polygons
         Convex outlines, px.
     image_size : tuple of int
         Width and height, px.
@@ -37,41 +37,62 @@ def fill_owners(polygons: Sequence[Array], image_size: tuple[int, int], n: int) 
     import cv2
 
     width, height = image_size
-    owners = np.zeros((height * n, width * n), np.uint8 if len(polygons) < 255 else np.uint16)
-    for number, polygon in enumerate(polygons, 1):
-        # On the subpixel grid, whose first centre is at -0.5 + 0.5 / n px.
-        grid = (polygon + 0.5) * n - 0.5
-        cv2.fillConvexPoly(owners, np.rint(grid * 2**SHIFT).astype(np.int32), number, shift=SHIFT)
+    count = len(polygons.starts)
+    owners = np.zeros((height * n, width * n), np.uint8 if count < 255 else np.uint16)
+    # On the subpixel grid, whose first centre is at -0.5 + 0.5 / n px.
+    grid = (polygons.corners + 0.5) * n - 0.5
+    fixed = np.rint(grid * 2**SHIFT).astype(np.int32)
+    bounds = zip(polygons.starts.tolist(), polygons.ends.tolist(), strict=True)
+    for number, (start, end) in enumerate(bounds, 1):
+        cv2.fillConvexPoly(owners, fixed[start:end], number, shift=SHIFT)
     return owners
 
 
-def bounding_box(polygon: Array, image_size: tuple[int, int]) -> Box:
-    """Return left, top, right, bottom (the last two excluded) of a polygon in the picture, px."""
-    width, height = image_size
-    (left, top), (right, bottom) = polygon.min(axis=0), polygon.max(axis=0)
-    return (
-        min(max(int(left) - 1, 0), width),
-        min(max(int(top) - 1, 0), height),
-        max(min(int(right) + 3, width), 0),
-        max(min(int(bottom) + 3, height), 0),
-    )
+def bounding_boxes(polygons: Polygons, image_size: tuple[int, int]) -> list[Box]:
+    """Return left, top, right, bottom (the last two excluded) of polygons in the picture, px."""
+    low = np.clip(np.floor(polygons.low()) - 1, 0, image_size).astype(int)
+    high = np.clip(np.ceil(polygons.high()) + 2, 0, image_size).astype(int)
+    return [(*first, *last) for first, last in zip(low.tolist(), high.tolist(), strict=True)]
 
 
-def share_of(owners: NDArray[Any], number: int, box: Box, n: int) -> Picture | None:
-    """Return the share of each pixel of `box` that a piece owns, 0 to 255, or None for nothing."""
+def share_of(
+    owners: NDArray[Any], number: int, box: Box, n: int
+) -> tuple[Picture, Box] | tuple[None, None]:
+    """Return the share of each pixel that a piece owns, 0 to 255, and the box where it does.
+
+    Parameters
+    ----------
+    owners : ndarray, shape (height n, width n)
+        Who is seen where.
+    number : int
+        The piece.
+    box : tuple of int
+        Where to look: left, top, right, bottom, px.
+    n : int
+        Subpixels a pixel, both ways.
+
+    Returns
+    -------
+    share : ndarray, shape (h, w, 3), uint8, or None
+        The same in all three colours; None if it is seen nowhere.
+    box : tuple of int, or None
+        The part of `box` where the share is not 0.
+    """
     import cv2
 
     left, top, right, bottom = box
     if right <= left or bottom <= top:
-        return None
-    mask = cv2.compare(owners[top * n : bottom * n, left * n : right * n], number, cv2.CMP_EQ)
-    if not cv2.hasNonZero(mask):
-        return None
-    share = mask
+        return None, None
+    share = cv2.compare(owners[top * n : bottom * n, left * n : right * n], number, cv2.CMP_EQ)
     while share.shape[0] > bottom - top:  # halving twice is seven times as fast as a quarter
         half = (share.shape[1] // 2, share.shape[0] // 2)
         share = cv2.resize(share, half, interpolation=cv2.INTER_AREA)
-    return np.asarray(cv2.merge([share, share, share]))
+    x, y, width, height = cv2.boundingRect(share)
+    if width == 0:
+        return None, None
+    share = share[y : y + height, x : x + width]
+    box = (left + x, top + y, left + x + width, top + y + height)
+    return np.asarray(cv2.merge([share, share, share])), box
 
 
 def add_colour(picture: Picture, share: Picture, box: Box, colour: Colour) -> None:

@@ -73,9 +73,9 @@ def street(rng: np.random.Generator | None = None, targets: bool = True) -> Scen
 def foreground_targets(rng: np.random.Generator) -> list[list[Patch]]:
     """Return a checkerboard, a letter chart and a Siemens star on stands, a few metres north."""
     return [
-        board(at(-1.75, 2.2, 0), checkerboard(9, 7, 32), (1.3, 1.04), turn=0.28),
-        board(at(1.1, 5.2, 0), letter_chart(512, 7, rng=rng), (1.2, 1.2), turn=-0.1),
-        board(at(2.7, 4.2, 0), siemens_star(512, 36), (1.1, 1.1), turn=-0.3),
+        board(at(-1.7, 2.4, 0), checkerboard(9, 7, 32), (1.3, 1.04), turn=0.28),
+        board(at(1.75, 5.0, 0), letter_chart(512, 7, rng=rng), (1.2, 1.2), turn=-0.12),
+        board(at(3.2, 3.9, 0), siemens_star(384, 36), (1.1, 1.1), turn=-0.35),
     ]
 
 

@@ -8,18 +8,17 @@ of who is seen where, on a grid finer than the pixels, and its texture is warped
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from course_lib.camera import Camera
 from course_lib.checks import Array
 from course_lib.transforms import camera_centre
 from data_generators import paint
-from data_generators.clipping import clip, pixels, slabs, view_planes
+from data_generators.clipping import SLAB, Polygons, clip, slabs, view_planes
 from data_generators.order import back_to_front, side_table
 from data_generators.paint import Picture
 from data_generators.pyramid import TexturePyramid, levels_for
 from data_generators.scene import Scene
-
-Pieces = list[tuple[int, Array]]  # index of the patch, corners in the camera frame (M, 3), m
 
 
 class QuickRenderer:
@@ -44,10 +43,7 @@ class QuickRenderer:
             raise ValueError(f"subpixels must be 1, 2, 4 or 8, got {subpixels!r}")
         self.scene, self.subpixels = scene, subpixels
         patches = scene.patches
-        counts = np.array([len(p.outline) for p in patches], int)
-        self._corners = np.concatenate([np.zeros((0, 3)), *(p.corners for p in patches)])
-        self._ends = np.cumsum(counts)
-        self._starts = self._ends - counts
+        self._outlines = Polygons.of([p.corners for p in patches])
         # Columns edge_u, edge_v, origin: a world point from (a, b, 1).
         frames = np.array([[p.edge_u, p.edge_v, p.origin] for p in patches]).reshape(-1, 3, 3)
         self._frames, self._origins = frames.transpose(0, 2, 1), frames[:, 2]
@@ -57,10 +53,13 @@ class QuickRenderer:
         for patch in patches:
             pyramids.setdefault(id(patch.texture), TexturePyramid(patch.texture))
         self._pyramids = [pyramids[id(p.texture)] for p in patches]
-        self._texels = np.array([p.size for p in self._pyramids], float).reshape(-1, 2)
         self._repeat = np.array([p.repeat for p in patches], float).reshape(-1, 2)
+        self._texels = np.array([p.size for p in self._pyramids]).reshape(-1, 2) * self._repeat
         self._highest = np.array([p.highest for p in self._pyramids], int).reshape(-1, 2)
-        self._sides = side_table(self._corners, self._starts, self._origins, self._normals)
+        self._textured: NDArray[np.bool_] = np.asarray(self._highest.any(axis=1))
+        self._sides = side_table(
+            self._outlines.corners, self._outlines.starts, self._origins, self._normals
+        )
 
     def picture(self, camera: Camera) -> Picture:
         """Return what a sharp pinhole camera sees.
@@ -75,27 +74,24 @@ class QuickRenderer:
         ndarray, shape (height, width, 3), uint8
             RGB, linear in light.
         """
-        pieces = self._pieces(camera)
-        polygons = [pixels(corners, camera.K) for _, corners in pieces]
-        owners = paint.fill_owners(polygons, camera.image_size, self.subpixels)
-        boxes = [paint.bounding_box(polygon, camera.image_size) for polygon in polygons]
-        shares = [
-            paint.share_of(owners, number, box, self.subpixels)
-            for number, box in enumerate(boxes, 1)
-        ]
         width, height = camera.image_size
         picture = np.zeros((height, width, 3), np.uint8)
         everywhere = (0, 0, width, height)
-        nobody = paint.share_of(owners, 0, everywhere, self.subpixels)
-        if nobody is not None:
-            paint.add_colour(picture, nobody, everywhere, self.scene.background)
-        patches = np.array([patch for patch, _ in pieces], int)
-        maps, levels = self._texture_maps(patches, polygons, camera)
-        for patch, share, box, homography, level in zip(
-            patches.tolist(), shares, boxes, maps, levels.tolist(), strict=True
-        ):
-            if share is not None:
-                self._add(picture, patch, share, box, homography, level)
+        patches, parts = self._pieces(camera)
+        if not patches:
+            picture[:] = self.scene.background
+            return picture
+        polygons = Polygons.of(parts).seen_through(camera.K)
+        owners = paint.fill_owners(polygons, camera.image_size, self.subpixels)
+        share, box = paint.share_of(owners, 0, everywhere, self.subpixels)
+        if share is not None and box is not None:
+            paint.add_colour(picture, share, box, self.scene.background)
+        boxes = paint.bounding_boxes(polygons, camera.image_size)
+        maps, levels = self._texture_maps(np.array(patches), polygons.middle(), camera)
+        for k, patch in enumerate(patches):
+            share, box = paint.share_of(owners, k + 1, boxes[k], self.subpixels)
+            if share is not None and box is not None:
+                self._add(picture, patch, share, box, maps[k], levels[k])
         return picture
 
     def _add(
@@ -122,15 +118,23 @@ class QuickRenderer:
         )
         paint.add_texture(picture, share, box, texture, texel_from_patch @ homography, wrap)
 
-    def _pieces(self, camera: Camera) -> Pieces:
-        """Return the visible parts of the patches, in the order of painting."""
+    def _pieces(self, camera: Camera) -> tuple[list[int], list[Array]]:
+        """Return the visible parts of the patches, in the order of painting.
+
+        They are the index of the patch, and the corners in the camera frame, (M, 3), m.
+        """
         patches, polygons = self._visible(camera)
-        pieces: Pieces = []
-        for i in self._order(patches, polygons, camera):
-            solid = not self._highest[patches[i]].any()
-            parts = [polygons[i]] if solid else slabs(polygons[i])
-            pieces += [(patches[i], part) for part in parts]
-        return pieces
+        if not patches:
+            return [], []
+        together = Polygons.of(polygons)
+        depths = np.stack([together.low()[:, 2], together.high()[:, 2]], axis=1)
+        whole = (depths[:, 1] < SLAB * depths[:, 0]) | ~self._textured[patches]
+        owners, parts = [], []
+        for i in self._order(patches, together, camera):
+            slices = [polygons[i]] if whole[i] else slabs(polygons[i])
+            parts += slices
+            owners += [patches[i]] * len(slices)
+        return owners, parts
 
     def _visible(self, camera: Camera) -> tuple[list[int], list[Array]]:
         """Return the patches that face the camera and are in view, clipped, camera frame."""
@@ -138,50 +142,54 @@ class QuickRenderer:
             return [], []
         eye = camera_centre(camera.R, camera.t)
         facing = np.sum(self._normals * (eye - self._origins), axis=1) > 0
-        corners = self._corners @ camera.R.T + camera.t
+        world = self._outlines
+        corners = world.corners @ camera.R.T + camera.t
         planes, offsets = view_planes(camera.K, camera.image_size)
         inside = corners @ planes.T >= offsets
-        some = np.asarray(np.logical_or.reduceat(inside, self._starts), bool).all(axis=1)
-        every = np.asarray(np.logical_and.reduceat(inside, self._starts), bool).all(axis=1)
-        to_clip: list[bool] = np.logical_not(every).tolist()
+        some = np.asarray(np.logical_or.reduceat(inside, world.starts), bool).all(axis=1)
+        every = np.asarray(np.logical_and.reduceat(inside, world.starts), bool)
+        crossing: list[list[bool]] = np.logical_not(every).tolist()
+        starts, ends = world.starts.tolist(), world.ends.tolist()
         patches, polygons = [], []
-        for index in np.flatnonzero(some & (facing | ~self._one_sided)).tolist():
-            polygon = corners[self._starts[index] : self._ends[index]]
-            if to_clip[index]:
-                for plane, offset in zip(planes, offsets, strict=True):
-                    polygon = clip(polygon, plane, offset) if len(polygon) else polygon
+        for index in np.flatnonzero(np.logical_and(some, facing | ~self._one_sided)).tolist():
+            polygon = corners[starts[index] : ends[index]]
+            if any(crossing[index]):
+                for plane, offset, cut in zip(planes, offsets, crossing[index], strict=True):
+                    polygon = clip(polygon, plane, offset) if cut else polygon
             if len(polygon):
                 patches.append(index)
                 polygons.append(polygon)
         return patches, polygons
 
-    def _order(self, patches: list[int], polygons: list[Array], camera: Camera) -> list[int]:
+    def _order(self, patches: list[int], polygons: Polygons, camera: Camera) -> list[int]:
         """Return positions in `patches` from back to front."""
-        if len(patches) < 2:
-            return list(range(len(patches)))
         eye = camera_centre(camera.R, camera.t)
         height: Array = (self._normals[patches] * (eye - self._origins[patches])).sum(axis=1)
         front, behind = (table[np.ix_(patches, patches)] for table in self._sides)
         eye_in_front = (height > 0)[:, None]
-        boxes = [pixels(p, camera.K) for p in polygons]
+        seen = polygons.seen_through(camera.K)
         return back_to_front(
             np.where(eye_in_front, front, behind),
             np.where(eye_in_front, behind, front),
-            np.array([[*box.min(axis=0), *box.max(axis=0)] for box in boxes]),
-            np.array([polygon[:, 2].max() for polygon in polygons]),
+            np.concatenate([seen.low(), seen.high()], axis=1),
+            polygons.high()[:, 2],
         )
 
     def _texture_maps(
-        self, patches: np.ndarray, polygons: list[Array], camera: Camera
-    ) -> tuple[Array, np.ndarray]:
-        """Return for each piece the homography (a, b) from pixel, and the texture's level."""
+        self, patches: NDArray[np.intp], middle: Array, camera: Camera
+    ) -> tuple[Array, list[tuple[int, int]]]:
+        """Return for each piece the homography (a, b) from pixel, and its texture's level."""
         frames = camera.R @ self._frames[patches]
         frames[:, :, 2] += camera.t
         maps = np.linalg.inv(camera.K @ frames)
-        middle = np.array([[*p.mean(axis=0), 1.0] for p in polygons]).reshape(-1, 3)
-        a, b, w = (maps @ middle[:, :, None])[:, :, 0].T
-        # Derivative of (a / w, b / w) by the pixel, largest of the two directions.
+        a, b, w = np.einsum("nij,nj->in", maps, np.insert(middle, 2, 1.0, axis=1))
+        # Derivative of (a / w, b / w) by the pixel, in texels.
         jacobian = maps[:, :2, :2] - np.stack([a / w, b / w], 1)[:, :, None] * maps[:, 2:, :2]
-        footprint = np.abs(jacobian / w[:, None, None]).max(axis=2)
-        scale = self._texels[patches] * self._repeat[patches]
-        return maps, levels_for(footprint * scale, self._highest[patches])
+        jacobian *= self._texels[patches][:, :, None] / w[:, None, None]
+        footprint = np.abs(jacobian).max(axis=2)
+        # A slanted footprint is narrower than the rectangle around it: a compromise between both.
+        area = np.abs(np.linalg.det(jacobian))
+        slant = np.maximum(1, footprint.prod(axis=1) / np.maximum(3 * area, 1e-12))
+        footprint /= np.sqrt(slant)[:, None]
+        levels = levels_for(footprint, self._highest[patches])
+        return np.asarray(maps), [(i, j) for i, j in levels.tolist()]

@@ -205,13 +205,13 @@ def _drawn(width: int, height: int, dark: Callable[[Array, Array], NDArray[np.bo
 
 
 def _fill(picture: Grey, left: float, top: float, width: float, height: float) -> None:
-    """Darken a rectangle, its edges by the share of the pixel they cover."""
-    rows, columns = picture.shape
+    """Darken a rectangle inside the picture, its edges by the share of the pixel they cover."""
 
-    def cover(start: float, length: float, count: int) -> Array:
-        pixels = np.arange(count)
+    def cover(start: float, length: float) -> tuple[slice, Array]:
+        pixels = np.arange(int(start), int(np.ceil(start + length)))
         ends = np.minimum(pixels + 1, start + length)
-        return np.asarray(np.clip(ends - np.maximum(pixels, start), 0, 1))
+        return slice(pixels[0], pixels[-1] + 1), ends - np.maximum(pixels, start)
 
-    share = np.outer(cover(top, height, rows), cover(left, width, columns))
-    picture[:] = np.rint(np.maximum(picture + (DARK - WHITE) * share, DARK)).astype(np.uint8)
+    (rows, down), (columns, across) = cover(top, height), cover(left, width)
+    dark = picture[rows, columns] + (DARK - WHITE) * np.outer(down, across)
+    picture[rows, columns] = np.rint(np.maximum(dark, DARK)).astype(np.uint8)
