@@ -6,6 +6,7 @@ import ctypes
 import io
 import signal
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -89,29 +90,48 @@ def _alarm(seconds: float) -> Iterator[None]:
 
 @contextmanager
 def _watchdog(seconds: float) -> Iterator[None]:
-    thread = ctypes.c_ulong(threading.get_ident())
-    over, turn = threading.Event(), threading.Lock()
+    thread = threading.get_ident()
+    over, turn, rang = threading.Event(), threading.Lock(), threading.Event()
 
     def watch() -> None:
         wait = seconds
         while not over.wait(wait):
             with turn:
                 if not over.is_set():
-                    _raise_in(thread, TimeLimitReached)
+                    rang.set()
+                    _raise_in(thread)
             wait = 0.05
 
     threading.Thread(target=watch, daemon=True).start()
     try:
         yield
     finally:
-        over.set()
-        with turn:
-            _raise_in(thread, None)  # takes back an exception that was not delivered yet
+        _call_off(thread, over, turn, rang)
 
 
-def _raise_in(thread: ctypes.c_ulong, error: type[BaseException] | None) -> None:
-    raised = ctypes.py_object(error) if error else None
-    ctypes.pythonapi.PyThreadState_SetAsyncExc(thread, raised)
+def _call_off(
+    thread: int, over: threading.Event, turn: threading.Lock, rang: threading.Event
+) -> None:
+    """Stop a watchdog, and take an exception that it sent but that was not delivered yet."""
+    last_one_sent = False
+    while True:
+        try:
+            over.set()
+            with turn:
+                if not rang.is_set():
+                    return
+                last_one_sent = True
+                _raise_in(thread)  # takes the place of one that is still on its way
+            while True:
+                time.sleep(0.001)
+        except TimeLimitReached:
+            if last_one_sent:
+                return
+
+
+def _raise_in(thread: int) -> None:
+    identifier, error = ctypes.c_ulong(thread), ctypes.py_object(TimeLimitReached)
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(identifier, error)
 
 
 def plain(value: Any, limit: int, depth: int = 4) -> Any:

@@ -1,0 +1,74 @@
+"""Each comparison accepts what is right, and says type, shape or values for what is not."""
+
+import numpy as np
+import pytest
+
+from course_lib.judging import Close, Exactly, ImageClose, RaySet, RotationClose, UpToScale
+
+ROTATION = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+POINTS = np.array([[1.0, 2], [3, 4], [5, 6]])
+
+
+@pytest.mark.parametrize(
+    ("compare", "got", "expected"),
+    [
+        (Close(), 2, 2.0),
+        (Close(), [[1, 2], [3, 4], [5, 6]], POINTS),
+        (Close(), np.array([1, np.nan]), np.array([1, np.nan])),
+        (Close(), (1, [2, 3]), (1.0, np.array([2.0, 3.0]))),
+        (Close(), {"f": 5}, {"f": 5.0}),
+        (Close(rtol=1e-2), 1.005, 1.0),
+        (Exactly(), "f/8", "f/8"),
+        (Exactly(), True, True),
+        (Exactly(), np.array([1, 2]), np.array([1, 2])),
+        (UpToScale(), -3 * POINTS, POINTS),
+        (RotationClose(), ROTATION.tolist(), ROTATION),
+        (RaySet(), 7 * POINTS[::-1], POINTS),
+        (ImageClose(), np.full((4, 4), 101, np.uint8), np.full((4, 4), 100, np.uint8)),
+    ],
+)
+def test_right_answers_agree(compare, got, expected):
+    assert compare(got, expected) is None
+
+
+@pytest.mark.parametrize(
+    ("compare", "got", "expected", "kind", "words"),
+    [
+        (Close(), None, POINTS, "type", "return"),
+        (Close(), "text", POINTS, "type", "a text"),
+        (Close(), True, 1.0, "type", "True or False"),
+        (Close(), 1j, 1.0, "type", "a number"),
+        (Close(), [[1, 2], [3]], POINTS, "type", "a list"),
+        (Close(), POINTS.T, POINTS, "shape", "transposed"),
+        (Close(), POINTS[:2], POINTS, "shape", "(3, 2) was expected"),
+        (Close(), np.full(3, np.nan), np.ones(3), "values", "NaN"),
+        (Close(), np.ones(3), np.array([1, 1, np.nan]), "values", "should be NaN"),
+        (Close(), np.array([1, 2, 4.0]), np.array([1, 2, 3.0]), "values", "1 of 3"),
+        (Close(), 2.1, 2.0, "values", "not the right one"),
+        (Close(), (1,), (1, 2), "type", "2 values"),
+        (Close(), {"a": 1}, {"b": 1}, "type", "keys b"),
+        (Exactly(), 1, "1", "type", "a text"),
+        (Exactly(), "f/4", "f/8", "values", "not the right one"),
+        (UpToScale(), 0 * POINTS, POINTS, "values", "zero"),
+        (UpToScale(), POINTS + 1, POINTS, "values", "multiple"),
+        (RotationClose(), 2 * ROTATION, ROTATION, "values", "not a rotation"),
+        (RotationClose(), -ROTATION, ROTATION, "values", "reflection"),
+        (RotationClose(), ROTATION.T, ROTATION, "values", "not the right one"),
+        (RaySet(), -POINTS, POINTS, "values", "directions"),
+        (RaySet(), 0 * POINTS, POINTS, "values", "no length"),
+        (ImageClose(), np.zeros((4, 4)), np.zeros((4, 4), np.uint8), "type", "uint8"),
+        (ImageClose(), np.zeros((4, 4)), np.full((4, 4), 0.1), "values", "differs"),
+        (ImageClose(), np.full((4, 4), np.nan), np.full((4, 4), 0.1), "values", "differs"),
+    ],
+)
+def test_wrong_answers_are_told_what_differs(compare, got, expected, kind, words):
+    mismatch = compare(got, expected)
+    assert mismatch is not None
+    assert mismatch.kind == kind
+    assert words in mismatch.message
+
+
+def test_two_equal_rays_do_not_stand_for_two_different_ones():
+    doubled = POINTS[[0, 0, 1]]
+    assert RaySet()(doubled, POINTS) is not None
+    assert RaySet()(POINTS, doubled) is not None

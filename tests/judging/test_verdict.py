@@ -1,0 +1,150 @@
+"""Points by parts, feedback in order, the hint of the right misconception, nothing given away."""
+
+import numpy as np
+import pytest
+
+from course_lib.judging import Exercise, Misconception, Part, answer, judge, pose, seed_for
+from course_lib.judging.html import to_html
+from course_lib.judging.text import to_text
+
+
+def scaled(values, factor):
+    """Return the values times a factor."""
+    return values * factor
+
+
+def plain_values(rng):
+    return {"values": rng.uniform(1, 9, 4), "factor": float(rng.uniform(2, 5))}
+
+
+def negative_factor(rng):
+    return {"values": rng.uniform(1, 9, 4), "factor": -float(rng.uniform(2, 5))}
+
+
+def divided(values, factor):
+    return values / factor
+
+
+def sign_lost(values, factor):
+    return values * abs(factor)
+
+
+EXERCISE = Exercise(
+    "demo",
+    scaled,
+    parts={"plain": Part(plain_values, weight=3), "negative": negative_factor},
+    misconceptions=[
+        Misconception(divided, "Should the values grow or shrink?"),
+        Misconception(sign_lost, "What about the sign?"),
+    ],
+    points=4,
+)
+
+
+def verdict(function, reveal=True, seed=3):
+    cases = pose(EXERCISE, seed)
+    return judge(EXERCISE, cases, answer(EXERCISE, function, cases), reveal=reveal)
+
+
+def test_full_answer():
+    full = verdict(lambda values, factor: np.array([factor * v for v in values]))
+    assert (full.points, full.possible, full.hint) == (4, 4, "")
+
+
+def test_partial_credit_by_weight_and_hint_of_the_failed_part():
+    half = verdict(lambda values, factor: values * abs(factor))
+    assert [part.points for part in half.parts] == [3, 0]
+    assert half.misconception == "sign_lost"
+
+
+def test_a_hint_needs_agreement_in_every_wrong_answer():
+    def mixed(values, factor):
+        return values / factor if factor > 0 else values + 1
+
+    assert verdict(mixed).hint == ""
+
+
+@pytest.mark.parametrize(
+    ("function", "kind"),
+    [
+        (lambda values, factor: object(), "type"),
+        (lambda values, factor: 1 / 0, "raised"),
+        (lambda values, factor: None, "type"),
+        (lambda values, factor: (values * factor)[:2], "shape"),
+        (lambda values, factor: values * factor + 1, "values"),
+        (lambda values, factor: scaled(values, factor), "ready-made"),
+    ],
+)
+def test_kinds_of_feedback(function, kind):
+    found = verdict(function)
+    assert {part.feedback.kind for part in found.parts} == {kind}
+    assert found.points == 0
+
+
+def test_grading_seeds_are_not_given_away():
+    def wrong(values, factor):
+        print("secret", values, factor)
+        raise ValueError(f"{values} {factor}")
+
+    for function in (wrong, divided, lambda values, factor: values * factor + 1):
+        hidden = verdict(function, reveal=False)
+        shown = to_text(hidden) + to_html(hidden)
+        for case in pose(EXERCISE, 3):
+            for number in (*case.inputs["values"], case.inputs["factor"]):
+                assert f"{number:.3f}"[:5] not in shown
+        assert "secret" not in shown
+        assert not any(part.feedback.has_example for part in hidden.parts)
+    assert verdict(divided, reveal=False).hint == "Should the values grow or shrink?"
+
+
+def test_visible_and_hidden_results_earn_alike():
+    for function in (divided, sign_lost, lambda values, factor: values * factor):
+        assert verdict(function, True).points == verdict(function, False, seed=99).points
+
+
+def test_example_shows_inputs_got_and_expected():
+    text = to_text(verdict(divided))
+    for word in ("values =", "factor =", "your answer =", "expected =", "Hint:"):
+        assert word in text
+
+
+def test_changed_inputs_are_noted_without_loss():
+    def in_place(values, factor):
+        values *= factor
+        return values
+
+    found = verdict(in_place)
+    assert found.points == 4
+    assert "`values`" in found.notes[0]
+
+
+def test_html_escapes_what_a_student_writes():
+    def nasty(values, factor):
+        print("<script>alert(1)</script>")
+        raise ValueError("<img src=x onerror=alert(2)>")
+
+    html = to_html(verdict(nasty))
+    assert "<script>" not in html
+    assert "<img" not in html
+    assert "&lt;script&gt;" in html
+
+
+def test_html_does_not_rely_on_colour():
+    html = to_html(verdict(sign_lost))
+    assert "✓" in html
+    assert "✗" in html
+    assert 'aria-label="not right"' in html
+
+
+def test_seeds_depend_on_every_word_and_never_change():
+    assert seed_for("key", "ann", "x") == seed_for("key", "ann", "x")
+    assert (
+        len({seed_for("a", "b"), seed_for("ab"), seed_for("b", "a"), seed_for("a", "b", "")}) == 4
+    )
+    assert seed_for("course", "reader") == 6471049166117062690 or seed_for("course") >= 0
+
+
+def test_same_seed_same_inputs_other_seed_other_inputs():
+    first, again, other = (pose(EXERCISE, seed)[0].inputs["values"] for seed in (1, 1, 2))
+    np.testing.assert_array_equal(first, again)
+    assert not np.allclose(first, other)

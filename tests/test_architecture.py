@@ -1,0 +1,120 @@
+"""The house rules: imports point one way, rooms stay small, importing costs little."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+MATHEMATICS = {
+    "camera", "checks", "optics", "pinhole", "transforms",
+}  # fmt: skip
+#: Which of the project's packages each may import; the mathematics is always allowed.
+MAY_IMPORT = {
+    "data_generators": set(),
+    "course_lib.judging": set(),
+    "course_lib.drawing": {"data_generators"},
+    "course_lib.exercises": {"course_lib.judging", "course_lib.drawing"},
+    "course_lib.widgets": {"course_lib.drawing", "data_generators"},
+    "course_lib.notebook": {"course_lib.judging", "course_lib.exercises"},
+    "course_lib.authoring": {"course_lib.judging", "course_lib.exercises", "course_lib.notebook"},
+    "course_lib.grading": {
+        "course_lib.judging",
+        "course_lib.exercises",
+        "course_lib.notebook",
+        "course_lib.authoring",
+    },
+}
+OUTSIDE = {
+    "course_lib.judging": {"jupyter", "IPython", "ipywidgets", "anywidget", "matplotlib", "cv2"},
+    "mathematics": {"jupyter", "IPython", "ipywidgets", "matplotlib", "cv2", "skimage"},
+}
+
+
+def modules() -> list[Path]:
+    """Return the project's own modules."""
+    return [
+        p for package in ("course_lib", "data_generators") for p in ROOT.glob(f"{package}/**/*.py")
+    ]
+
+
+def room(path: Path) -> str:
+    """Return the package (or module of course_lib) that a file belongs to."""
+    parts = path.relative_to(ROOT).with_suffix("").parts
+    if parts[0] == "data_generators" or len(parts) == 1:
+        return parts[0]
+    return "mathematics" if parts[1] in MATHEMATICS else f"course_lib.{parts[1]}"
+
+
+def imported(path: Path) -> set[str]:
+    """Return the full names of the modules that a file imports, anywhere in it."""
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            names |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return names
+
+
+def own_room(name: str) -> str | None:
+    """Return the room that an imported name belongs to, or None for another library."""
+    parts = name.split(".")
+    if parts[0] == "data_generators":
+        return "data_generators"
+    if parts[0] != "course_lib" or len(parts) == 1:
+        return None
+    return "mathematics" if parts[1] in MATHEMATICS else f"course_lib.{parts[1]}"
+
+
+@pytest.mark.parametrize("path", modules(), ids=lambda p: str(p.relative_to(ROOT)))
+def test_imports_point_one_way(path):
+    here = room(path)
+    if here in ("course_lib.cli", "course_lib.__init__", "course_lib.__main__"):
+        return  # the top of the house
+    rooms = {found for name in imported(path) if (found := own_room(name))}
+    allowed = MAY_IMPORT.get(here, set()) | {"mathematics", here}
+    assert rooms <= allowed, f"{here} must not import {sorted(rooms - allowed)}"
+
+
+@pytest.mark.parametrize("path", modules(), ids=lambda p: str(p.relative_to(ROOT)))
+def test_lower_rooms_know_no_front_end(path):
+    heads = {name.partition(".")[0] for name in imported(path)}
+    assert not heads & OUTSIDE.get(room(path), set())
+
+
+def code_lines(function: ast.AST, source: list[str]) -> int:
+    """Count the lines of a function's body without docstring, comments and blank lines."""
+    body = function.body
+    if isinstance(body[0], ast.Expr) and isinstance(body[0].value, ast.Constant):
+        body = body[1:]
+    if not body:
+        return 0
+    lines = source[body[0].lineno - 1 : body[-1].end_lineno]
+    return sum(1 for line in lines if line.strip() and not line.strip().startswith("#"))
+
+
+@pytest.mark.parametrize("path", modules(), ids=lambda p: str(p.relative_to(ROOT)))
+def test_rooms_stay_small(path):
+    text = path.read_text(encoding="utf-8")
+    source = text.splitlines()
+    assert len(source) <= 340, "split this module: the budget is about 300 lines"
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.FunctionDef):
+            assert code_lines(node, source) <= 30, f"{node.name}: the budget is about 25 lines"
+
+
+def test_importing_the_mathematics_loads_only_numpy():
+    code = (
+        "import sys, course_lib\n"
+        f"from course_lib import {', '.join(sorted(MATHEMATICS))}\n"
+        "heads = {name.partition('.')[0] for name in sys.modules}\n"
+        "print(sorted(heads & {'cv2', 'matplotlib', 'IPython', 'ipywidgets', 'scipy', 'skimage',"
+        " 'anywidget', 'jupyter_server', 'nbformat'}))"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    )
+    assert result.stdout.strip() == "[]"
