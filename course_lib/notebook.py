@@ -7,6 +7,7 @@ import getpass
 import inspect
 import os
 import sys
+import textwrap
 from collections.abc import Callable, Mapping
 from html import escape
 from typing import Any
@@ -47,7 +48,10 @@ def check(name: str, namespace: Mapping[str, Any] | None = None) -> float:
     if namespace is None:
         namespace = inspect.stack()[1].frame.f_globals
     verdict = verdict_of(exercise, namespace)
-    _show(to_html(verdict), to_text(verdict))
+    if _validating() and verdict.points < verdict.possible:
+        print(_wrapped(to_text(verdict)), file=sys.stderr)
+    else:
+        _show(to_html(verdict), to_text(verdict))
     return float(verdict.points)
 
 
@@ -139,6 +143,21 @@ def _answering(exercise: Exercise, namespace: Mapping[str, Any]) -> Callable[...
             raise NotImplementedError
 
     return function
+
+
+def _validating() -> bool:
+    """Return whether nbgrader's *Validate* runs: it shows what a check writes to stderr."""
+    return os.environ.get("NBGRADER_EXECUTION") == "validate"
+
+
+def _wrapped(text: str, width: int = 80) -> str:
+    """Break long lines: nbgrader cuts what does not fit its page off."""
+    return "\n".join(
+        textwrap.fill(line, width, subsequent_indent=" " * (len(line) - len(line.lstrip()) + 2))
+        if len(line) > width
+        else line
+        for line in text.splitlines()
+    )
 
 
 def _student(environment: Mapping[str, str] = os.environ) -> str:

@@ -35,6 +35,8 @@ from data_generators.mishaps import NOISES, TROUBLES
 Solutions = Mapping[str, Callable[..., Any]]
 #: Seeds on which a wrong answer's points are found; they must agree on all of them.
 SEEDS = range(7, 12)
+#: When they were handed in, as nbgrader notes it.
+TIMESTAMP = "2026-10-01 12:00:00 UTC"
 WORDS = "A long lens only enlarges; the faces look flat because we stand farther away."
 
 
@@ -139,6 +141,7 @@ def write_submissions(directory: Path, assignment: str, submissions: Sequence[Su
         folder.mkdir(parents=True)
         name = submission.filename or f"{assignment}.ipynb"
         (folder / name).write_bytes(submission.content)
+        (folder / "timestamp.txt").write_text(TIMESTAMP, encoding="utf-8")
 
 
 def right(exercise: Exercise, function: Callable[..., Any] | None = None) -> Typed:

@@ -86,11 +86,10 @@ def values_answer(exercise: ValuesExercise, function: Any = None, name: str = ""
 
 def rubric(question: Explain) -> str:
     """Return the mark scheme of a question: what earns points, and a model answer."""
-    earned = [f"- **{format_points(points)}** · {what}" for points, what in question.rubric]
-    parts = ["<!-- BEGIN MARK SCHEME -->", "**Rubric** (points · for what)", "", *earned]
-    return "\n".join(
-        [*parts, "", f"**Model answer.** {question.model_answer}", "<!-- END MARK SCHEME -->"]
-    )
+    earned = [f"> - **{format_points(points)}** · {what}" for points, what in question.rubric]
+    quoted = ["> **Rubric** (points · for what)", ">", *earned, ">"]
+    answer = f"> **Model answer.** {' '.join(question.model_answer.split())}"
+    return "\n".join(["<!-- BEGIN MARK SCHEME -->", *quoted, answer, "<!-- END MARK SCHEME -->"])
 
 
 def _expand_cell(lesson: Lesson, cell: LessonCell) -> list[NotebookNode]:
