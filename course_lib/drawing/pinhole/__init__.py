@@ -31,6 +31,7 @@ from course_lib.drawing.pinhole.sensors import (
 from course_lib.drawing.pinhole.views import (
     dolly_strip,
     facade,
+    hole_series,
     road_direction,
     street_lines,
     street_view,
@@ -45,6 +46,7 @@ __all__ = [
     "eclipse",
     "facade",
     "foreshortening",
+    "hole_series",
     "house",
     "house_picture",
     "image_planes",

@@ -28,7 +28,7 @@ FULL_FRAME = (36.0, 24.0)
 #: The front of the red house: its wall is at x, from y to y, this high, m.
 FRONT_X, FRONT_Y, FRONT_HEIGHT = -6.6, (16.5, 25.5), 5.4
 ROAD_LINES = ((-3.2, 0.0), (3.2, 0.0), (-6.6, 5.6), (6.6, 5.5))  # x, z of lines along the road, m
-CHART = np.array([1.1, 5.2, 1.1])  # middle of the letter chart, m
+CHART = np.array([1.5, 5.2, 1.3])  # m: what the series and the dolly zoom look at
 
 
 @cache
@@ -68,9 +68,8 @@ def facade(
     """
     shown = (640, round(640 * image_size[1] / image_size[0]))
     middle = np.array([FRONT_X, sum(FRONT_Y) / 2, 2.9])
-    camera = camera_at(
-        middle + (Z, 0, 0), middle, first_guess_intrinsics(f, sensor_size, shown), shown
-    )
+    eye, K = middle + np.array([Z, 0, 0]), first_guess_intrinsics(f, sensor_size, shown)
+    camera = camera_at(eye, middle, K, shown)
     corners = [(FRONT_X, y, FRONT_HEIGHT * 0.62) for y in FRONT_Y]
     ends = (project(corners, camera) + 0.5) * image_size[0] / shown[0] - 0.5
     fig, ax = panels(1, 1, (6.4, 5.6))
@@ -183,6 +182,46 @@ def _chart_from(ax: Axes, Z: float, f: float) -> None:
     """Show the letter chart from a distance of `Z` m through a lens of `f` mm."""
     size = (480, 320)
     K = first_guess_intrinsics(f, FULL_FRAME, size)
-    ax.imshow(_photograph(camera_at(CHART - (0, Z, 0), CHART, K, size)))
+    ax.imshow(_photograph(camera_at(CHART - np.array([0, Z, 0]), CHART, K, size)))
     ax.set(xticks=[], yticks=[])
     ax.set_title(f"Z = {Z:g} m, f = {f:.0f} mm", fontsize=10, fontweight="normal")
+
+
+@figure
+def hole_series(
+    diameters: Sequence[float] = (2, 1, 0.6, 0.35, 0.15, 0.07),
+    image_distance: float = 100.0,
+    wavelength: float = 0.00055,
+    Z: float = 5.2,
+) -> Figure:
+    """Show the letter chart in the street, photographed through holes of several sizes.
+
+    Parameters
+    ----------
+    diameters : sequence of float
+        Of the holes, mm.
+    image_distance, wavelength : float
+        Distance from hole to sensor (36 mm × 24 mm), and wavelength of the light, mm.
+    Z : float
+        Distance from hole to chart, m.
+
+    Returns
+    -------
+    Figure
+        A photograph for each hole, all made equally bright.
+    """
+    from data_generators.hole import Hole, Spread, with_margin
+
+    size = (420, 280)
+    K = first_guess_intrinsics(image_distance, FULL_FRAME, size)
+    camera, margin = with_margin(camera_at(CHART - np.array([0, Z, 0]), CHART, K, size), least=70)
+    spread = Spread(_photograph(camera), margin, FULL_FRAME[0] / size[0] * np.ones(2), Z)
+    rows = -(-len(diameters) // 3)
+    fig, axes = panels(rows, 3, (FULL_WIDTH, 2.05 * rows), squeeze=False)
+    for ax in axes.flat:
+        ax.axis("off")
+    for ax, d in zip(axes.flat, diameters, strict=False):
+        picture = spread.through(Hole(d, image_distance, wavelength))
+        ax.imshow(np.clip(picture / 255, 0, 1))
+        ax.set_title(f"d = {d:g} mm")
+    return fig
