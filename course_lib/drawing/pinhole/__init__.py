@@ -20,7 +20,7 @@ from course_lib.drawing.pinhole.perspective import (
     one_line_runs_away,
     size_against_distance,
 )
-from course_lib.drawing.pinhole.photograph import meeting_lines, photograph
+from course_lib.drawing.pinhole.edges import meeting_lines, photograph
 from course_lib.drawing.pinhole.sensors import (
     SENSORS,
     lens_fan,
