@@ -12,7 +12,7 @@ from typing import Any
 
 def __getattr__(name: str) -> Any:
     """Load what a notebook calls (`check`, `attempt`, `solution`) only when it is asked for."""
-    if name in ("attempt", "check", "solution"):
+    if name in ("attempt", "attempt_each", "check", "solution"):
         from course_lib import notebook
 
         return getattr(notebook, name)

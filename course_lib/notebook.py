@@ -8,7 +8,7 @@ import inspect
 import os
 import sys
 import textwrap
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from html import escape
 from typing import Any
 
@@ -51,7 +51,7 @@ def check(name: str, namespace: Mapping[str, Any] | None = None) -> float:
     if _validating() and verdict.points < verdict.possible:
         print(_wrapped(to_text(verdict)), file=sys.stderr)
     else:
-        _show(to_html(verdict), to_text(verdict))
+        show_block(to_html(verdict), to_text(verdict))
     return float(verdict.points)
 
 
@@ -73,20 +73,38 @@ def attempt(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:
     object or None
         Its result; None where it is not written yet, raises or takes too long.
     """
+    return attempt_each(function, [args], **kwargs)[0]
+
+
+def attempt_each(function: Callable[..., Any], cases: Iterable[Any], **kwargs: Any) -> list[Any]:
+    """Return what a student's function answers for several inputs, as `attempt` does for one.
+
+    Parameters
+    ----------
+    function : callable
+        The student's function.
+    cases : iterable of tuple
+        The arguments of each call.
+    **kwargs
+        Arguments that all calls share.
+
+    Returns
+    -------
+    list
+        A result for each call; all None where one of the calls does not answer.
+    """
+    calls = [copy.deepcopy((args, kwargs)) for args in cases]
     name = getattr(function, "__name__", "your function")
-    inputs, named = copy.deepcopy((args, kwargs))
     try:
         with time_limit(3.0):
-            result = function(*inputs, **named)
+            return [function(*args, **named) for args, named in calls]
     except NotImplementedError:
-        print(f"{name} is not written yet: you see the course's own answer only.")
+        print(f"{name} is not written yet. Run this cell again when it is.")
     except TimeLimitReached:
-        print(f"{name} takes too long: you see the course's own answer only.")
+        print(f"{name} takes too long.")
     except Exception as error:
         print(f"{name} stops with {type(error).__name__}: {error}")
-    else:
-        return result
-    return None
+    return [None] * len(calls)
 
 
 def solution(name: str) -> None:
@@ -105,9 +123,9 @@ def solution(name: str) -> None:
     exercise = find(name)
     if isinstance(exercise, Exercise):
         source = inspect.getsource(exercise.reference)
-        _show(f"<pre>{escape(source)}</pre>", source)
+        show_block(f"<pre>{escape(source)}</pre>", source)
     else:
-        _show(f"<p>{exercise.model_answer}</p>", exercise.model_answer)
+        show_block(f"<p>{exercise.model_answer}</p>", exercise.model_answer)
 
 
 def verdict_of(exercise: Exercise, namespace: Mapping[str, Any]) -> Verdict:
@@ -169,8 +187,14 @@ def _student(environment: Mapping[str, str] = os.environ) -> str:
         return "reader"
 
 
-def _show(html: str, text: str) -> None:
-    """Show a block as HTML in a notebook, as text in a terminal."""
+def show_block(html: str, text: str) -> None:
+    """Show a block as HTML in a notebook, as text in a terminal.
+
+    Parameters
+    ----------
+    html, text : str
+        The same content twice.
+    """
     if "ipykernel" in sys.modules:
         from IPython.display import display
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from course_lib.drawing.pinhole.edges import meeting_lines, photograph
 from course_lib.drawing.pinhole.geometry import (
     image_planes,
     lens_centred,
@@ -20,7 +21,6 @@ from course_lib.drawing.pinhole.perspective import (
     one_line_runs_away,
     size_against_distance,
 )
-from course_lib.drawing.pinhole.edges import meeting_lines, photograph
 from course_lib.drawing.pinhole.sensors import (
     SENSORS,
     lens_fan,

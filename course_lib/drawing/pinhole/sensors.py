@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 #: Width and height in mm of common sensors. Makers differ by a few tenths of a millimetre.
 SENSORS = {
     "full frame (FX)": (36.0, 24.0),
-    "APS-C (DX)": (23.5, 15.7),
+    "APS-C (DX)": (23.5, 15.6),
     "Micro Four Thirds": (17.3, 13.0),
     "1 inch": (13.2, 8.8),
     "1/2.3 inch": (6.17, 4.55),
@@ -162,22 +162,23 @@ def lens_fan(
         mm.
     sensor_size : tuple of float
         Width and height, mm.
-    yours : array_like, shape (N,), optional
-        Angles in rad that a student's function gave, drawn dashed.
+    yours : array_like, shape (N, 3), optional
+        Horizontal, vertical and diagonal angles in rad that a student's function gave; the
+        horizontal ones are dotted.
 
     Returns
     -------
     Figure
         A wedge for each lens.
     """
-    angles = np.array([field_of_view(f, sensor_size)[0] for f in focal_lengths])
+    angles = np.array([field_of_view(f, sensor_size) for f in focal_lengths])
     fig, ax = panels(1, 1, (FULL_WIDTH, 4.2))
     sketch(ax)
     colours = [BLUE, GREEN, ORANGE, RED, PURPLE, BLACK]
-    for k, (f, angle) in enumerate(zip(focal_lengths, angles, strict=True)):
+    for k, (f, angle) in enumerate(zip(focal_lengths, angles[:, 0], strict=True)):
         _wedge(ax, angle, 1 + 0.13 * k, colours[k % 6], f"{f:g} mm, {np.degrees(angle):.1f}°")
     drawn = same_shape(yours, angles)
-    for k, angle in enumerate([] if drawn is None else drawn):
+    for k, angle in enumerate([] if drawn is None else drawn[:, 0]):
         tip = (1.04 + 0.13 * k) * np.array([np.sin(angle / 2), np.cos(angle / 2)])
         for side in (-1, 1):
             stroke(ax, [(0, 0), (side * tip[0], tip[1])], color=BLACK, lw=1, ls=":")

@@ -1,0 +1,68 @@
+"""Every lesson runs from top to bottom: with its solutions, and as a student first opens it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+from course_lib.authoring.building import find_lessons, release
+from course_lib.authoring.expansion import expand
+from course_lib.authoring.lesson import read_lesson
+from course_lib.exercises import all_exercises
+from course_lib.judging import Exercise
+
+ROOT = Path(__file__).parents[2]
+LESSONS = find_lessons(ROOT)
+SECONDS = 60  # for a whole notebook on a slow machine: it must not keep a student waiting
+
+pytestmark = pytest.mark.slow
+
+
+def executed(notebook: nbformat.NotebookNode, folder: Path) -> nbformat.NotebookNode:
+    resources = {"metadata": {"path": str(folder)}}
+    return NotebookClient(notebook, timeout=SECONDS, resources=resources).execute()
+
+
+def outputs(notebook: nbformat.NotebookNode) -> list[nbformat.NotebookNode]:
+    return [out for cell in notebook.cells if cell.cell_type == "code" for out in cell.outputs]
+
+
+def points(notebook: nbformat.NotebookNode) -> dict[str, float]:
+    """Return the last value of each check cell."""
+    earned = {}
+    for cell in notebook.cells:
+        if cell.source.startswith('check("'):
+            values = [out for out in cell.outputs if out.output_type == "execute_result"]
+            earned[cell.source.split('"')[1]] = float(values[-1]["data"]["text/plain"])
+    return earned
+
+
+@pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
+def test_runs_with_its_solutions_and_earns_all_points(path: Path, tmp_path: Path) -> None:
+    lesson = read_lesson(path)
+    notebook = executed(expand(lesson), tmp_path)
+    assert not [out for out in outputs(notebook) if out.output_type == "error"]
+    assert not [out.text for out in outputs(notebook) if out.get("name") == "stderr"]
+    graded = [e for e in all_exercises(lesson.chapter) if isinstance(e, Exercise)]
+    assert points(notebook) == {exercise.name: exercise.points for exercise in graded}
+
+
+@pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
+def test_runs_before_anything_is_answered(path: Path, tmp_path: Path) -> None:
+    (student,) = release([read_lesson(path)])
+    notebook = executed(student, tmp_path)
+    assert not [out for out in outputs(notebook) if out.output_type == "error"]
+    assert not [out.text for out in outputs(notebook) if out.get("name") == "stderr"]
+    assert set(points(notebook).values()) == {0.0}
+
+
+@pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
+def test_says_how_many_points_there_are(path: Path) -> None:
+    lesson = read_lesson(path)
+    exercises = all_exercises(lesson.chapter)
+    text = " ".join(cell.source for cell in lesson.cells)
+    total = sum(exercise.points for exercise in exercises)
+    assert f"**Points:** {total:g}." in text
