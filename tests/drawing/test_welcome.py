@@ -41,5 +41,5 @@ def test_frames_name_all_axes():
 @pytest.mark.parametrize(("pixel", "words"), [((10, 20), "(10, 20)"), ((-5, 20), "outside")])
 def test_point_is_marked_where_it_lands(pixel, words):
     axes = welcome.point_in_picture(PICTURE, pixel).axes[0]
-    assert words in axes.get_title()
+    assert words in axes.get_title(loc="left")
     assert tuple(axes.lines[-1].get_xydata()[0]) == pixel
