@@ -16,6 +16,7 @@ from course_lib.authoring.expansion import METADATA, expand
 from course_lib.authoring.lesson import Lesson, read_lesson
 from course_lib.authoring.lint import lint, pictures
 from course_lib.authoring.options import release_options
+from course_lib.exercises import CHAPTERS
 
 Files = dict[Path, bytes]
 
@@ -95,6 +96,7 @@ def check_built(root: Path, names: Sequence[str] = ()) -> list[str]:
     """
     paths = find_lessons(root, names)
     problems = [str(problem) for path in paths for problem in lint(path)]
+    problems += [] if names else _left_over(root, paths)
     if problems:
         return problems
     for path, content in built_files(root, paths).items():
@@ -193,6 +195,15 @@ def _normal(notebook: NotebookNode) -> NotebookNode:
         if cell.cell_type == "code":
             cell.outputs, cell.execution_count = [], None
     return notebook
+
+
+def _left_over(root: Path, lessons: Sequence[Path]) -> list[str]:
+    """Say which chapters have no lesson, and which notebooks come from none."""
+    known = {path.stem for path in lessons}
+    lost = [f"lessons/{name}.md is missing" for name in CHAPTERS.values() if name not in known]
+    found = sorted((root / "notebooks").glob("*/*.ipynb"))
+    stray = [path.relative_to(root) for path in found if path.parent.name not in known]
+    return lost + [f"{path.as_posix()} comes from no lesson; delete it" for path in stray]
 
 
 def _has_outputs(path: Path) -> bool:

@@ -64,9 +64,10 @@ def paste(function: Callable[..., Any], name: str = "") -> Pasted:
     definition = ast.parse(source).body[0]
     assert isinstance(definition, ast.FunctionDef)
     documented = ast.get_docstring(definition, clean=False) is not None
-    begins = definition.body[0].end_lineno if documented else _header_end(definition)
-    lines = source.splitlines()[begins : definition.end_lineno]
-    body = textwrap.indent(textwrap.dedent("\n".join(lines)).strip("\n"), INDENT)
+    lines = source.splitlines()
+    begins = definition.body[0].end_lineno if documented else _header_end(definition, lines)
+    statements = "\n".join(lines[begins : definition.end_lineno])
+    body = textwrap.indent(textwrap.dedent(statements).strip("\n"), INDENT)
     imports = textwrap.indent("\n".join(needed_imports(function, definition)), INDENT)
     return Pasted(
         _signature(definition, name or function.__name__),
@@ -115,15 +116,17 @@ def _home(name: str, value: Any, function: Callable[..., Any]) -> str:
 
 def _import_module(module: str, name: str) -> str:
     package, _, leaf = module.rpartition(".")
-    return (
-        f"from {package} import {name}"
-        if leaf == name and package
-        else f"import {module} as {name}"
-    )
+    if leaf != name:
+        return f"import {module} as {name}"
+    return f"from {package} import {name}" if package else f"import {name}"
 
 
-def _header_end(definition: ast.FunctionDef) -> int:
-    return definition.body[0].lineno - 1
+def _header_end(definition: ast.FunctionDef, lines: list[str]) -> int:
+    """Return how many lines the header has; comments may follow before the first statement."""
+    parts = [definition.returns, *ast.walk(definition.args)]
+    last = max([definition.lineno, *(getattr(part, "end_lineno", 0) for part in parts)])
+    rest = range(last, definition.body[0].lineno)
+    return next((n for n in rest if lines[n - 1].split("#")[0].rstrip().endswith(":")), last)
 
 
 def _signature(definition: ast.FunctionDef, name: str) -> str:
