@@ -1,0 +1,62 @@
+import io
+
+import pytest
+
+from course_lib.starting.progress import Line, Stage, stage_of
+
+GETTING = """\
+Ignoring appnope: markers 'sys_platform == "darwin"' don't match your environment
+Collecting alembic==1.20.1 (from -r requirements.lock (line 1))
+  Using cached alembic-1.20.1-py3-none-any.whl
+Collecting argon2-cffi==25.1.0 (from -r requirements.lock (line 7))
+"""
+INSTALLING = GETTING + "Installing collected packages: alembic, argon2-cffi\n"
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(
+    ("log", "unpacked", "line"),
+    [
+        ("", 0, "Getting package 0 of 10"),
+        (GETTING, 0, "Getting package 2 of 9: argon2-cffi"),
+        (INSTALLING, 0, "Installing package 0 of 9"),
+        (INSTALLING, 5, "Installing package 5 of 9"),
+        (INSTALLING, 99, "Installing package 9 of 9"),
+    ],
+)
+def test_stage_is_read_from_what_pip_prints(log, unpacked, line):
+    assert str(stage_of(log, 10, unpacked)) == line
+
+
+def test_packages_that_are_there_are_not_counted():
+    log = "Requirement already satisfied: numpy==2.4.6 in ./lib (from -r lock (line 1))\n" + GETTING
+    assert stage_of(log, 10, 0).total == 8
+
+
+def test_a_file_gets_a_line_each_quarter():
+    line = Line(stream := io.StringIO())
+    for done in range(101):
+        line.show(Stage("Getting package", done, 100))
+    line.clear()
+    assert stream.getvalue().splitlines() == [
+        f"  Getting package {done} of 100" for done in (0, 25, 50, 75, 100)
+    ]
+
+
+def test_a_terminal_gets_one_line_redrawn_and_cleared(monkeypatch):
+    monkeypatch.setenv("COLUMNS", "30")
+    line = Line(stream := Terminal())
+    line.show(Stage("Getting package", 1, 2, "a-very-long-name-of-a-package"))
+    line.show(Stage("Getting package", 2, 2, "six"))
+    line.clear()
+    drawn = stream.getvalue().split("\r")
+    assert drawn[1:] == [
+        "Getting package 1 of 2: a-ver",
+        "Getting package 2 of 2: six  ",
+        " " * 29,
+        "",
+    ]
