@@ -125,6 +125,12 @@ class Readout:
     value: str
     unit: str = ""
 
+    @property
+    def quantity(self) -> str:
+        """Value and unit together: 3 mm, but 3°."""
+        gap = "" if self.unit == "°" else " "
+        return f"{self.value}{gap}{self.unit}".strip()
+
 
 @dataclass(frozen=True)
 class Frame:
@@ -146,7 +152,7 @@ class Frame:
 
     def in_words(self) -> str:
         """Return the frame as text: every picture's alternative, then every number."""
-        numbers = [f"{r.label} {r.symbol} = {r.value} {r.unit}".strip() for r in self.readouts]
+        numbers = [f"{f'{r.label} {r.symbol}'.strip()}: {r.quantity}" for r in self.readouts]
         return "\n".join([p.alt for p in self.pictures] + numbers)
 
 
@@ -213,5 +219,5 @@ def _colour(role: str) -> str:
 
 def _numbers(frame: Frame) -> str:
     """Return the numbers of a frame in lines of at most three."""
-    texts = [f"{r.label}: {r.value} {r.unit}".strip() for r in frame.readouts]
+    texts = [f"{r.label}: {r.quantity}" for r in frame.readouts]
     return "\n".join("   ·   ".join(texts[i : i + 3]) for i in range(0, len(texts), 3))

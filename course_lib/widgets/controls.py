@@ -33,7 +33,9 @@ class Slider:
     steps : int
         Number of positions of a logarithmic slider; 0 makes a linear one.
     digits : int
-        Decimals shown (significant digits on a logarithmic slider).
+        Decimals shown; on a logarithmic slider significant digits, 0 meaning 2.
+    landmarks : tuple of float
+        Values that a logarithmic slider must reach exactly.
     """
 
     name: str
@@ -46,6 +48,7 @@ class Slider:
     step: float = 1.0
     steps: int = 0
     digits: int = 0
+    landmarks: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         if not self.start < self.stop:
@@ -58,7 +61,8 @@ class Slider:
         """Every value it can take, ascending."""
         if self.steps:
             values = np.geomspace(self.start, self.stop, self.steps)
-            return sorted({float(f"{v:.{self.digits}g}") for v in values})
+            rounded = {float(f"{v:.{self.digits or 2}g}") for v in values}
+            return sorted(rounded | {float(v) for v in (self.default, *self.landmarks)})
         count = round((self.stop - self.start) / self.step) + 1
         return [round(self.start + i * self.step, 10) for i in range(count)]
 
@@ -88,7 +92,7 @@ class Slider:
         """Return `value` as it is shown, without the unit."""
         if not self.steps:
             return f"{value:.{self.digits}f}"
-        decimals = self.digits - 1 - math.floor(math.log10(abs(value)))
+        decimals = (self.digits or 2) - 1 - math.floor(math.log10(abs(value)))
         return f"{value:.{max(decimals, 0)}f}"
 
     def spec(self) -> dict[str, Any]:

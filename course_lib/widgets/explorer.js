@@ -62,13 +62,20 @@ function render({ model, el }) {
     show(message, buffers);
   }
 
+  let decoded = Promise.resolve(); // frames are painted in the order in which they came
+
   function show(message, buffers) {
-    if (message.raw) paint(message, buffers, message.pictures.filter((p) => p.image).map((p) => unpacked(p, buffers)));
-    else Promise.all(buffers.slice(1).map(decode)).then((photographs) => paint(message, buffers, photographs));
+    const images = message.error ? [] : message.pictures.map((p) => p.image);
+    if (message.error || message.raw) {
+      paint(message, buffers, images.map((image, i) => (Number.isInteger(image) ? unpacked(message.pictures[i], buffers) : image)));
+      return;
+    }
+    const pending = Promise.all(images.map((image) => (Number.isInteger(image) ? decode(buffers[image]) : image)));
+    decoded = decoded.then(() => pending).then((photographs) => paint(message, buffers, photographs));
   }
 
   function paint(message, buffers, photographs) {
-    if (message.count < shown) return; // a newer frame was faster
+    if (message.count < shown) return;
     shown = message.count;
     tell(message.error ?? "", Boolean(message.error));
     const quiet = sent === answered && !waiting;
@@ -80,7 +87,7 @@ function render({ model, el }) {
       pictures.replaceChildren(...figures.map((f) => f.element));
     }
     const floats = aligned(buffers[0]);
-    message.pictures.forEach((p, i) => figures[i].show(p, photographs[p.image - 1], floats));
+    message.pictures.forEach((p, i) => figures[i].show(p, photographs[i], floats));
     showNumbers(numbers, message.readouts);
     root.dataset.frame = message.count;
     clearTimeout(rest);
@@ -170,7 +177,10 @@ const CONTROLS = {
     const name = newId();
     const radios = control.options.map((value) => make("input", { type: "radio", name, value, id: newId() }));
     const options = radios.map((radio) => make("span", { className: "ce-option" }, radio, make("label", { htmlFor: radio.id, textContent: radio.value })));
-    const element = make("fieldset", { className: "ce-row ce-choice" }, make("legend", { className: "ce-label", textContent: control.label }), ...options);
+    const label = make("span", { id: newId(), className: "ce-label", textContent: control.label });
+    const group = make("div", { className: "ce-options", role: "radiogroup" }, ...options);
+    group.setAttribute("aria-labelledby", label.id);
+    const element = make("div", { className: "ce-row ce-choice" }, label, group);
     element.addEventListener("change", moved);
     const row = {
       element,
@@ -205,7 +215,7 @@ function nearest(values, value) {
 function showNumbers(list, readouts) {
   const items = readouts.map((r) => make("div", {},
     make("dt", {}, r.label, " ", make("i", { textContent: r.symbol })),
-    make("dd", { textContent: `${r.value} ${r.unit}`.trim() })));
+    make("dd", { textContent: r.quantity })));
   list.replaceChildren(...items);
 }
 
@@ -251,18 +261,19 @@ function figure() {
     if (!picture || !width) return;
     const context = fit(canvas);
     if (photograph) context.drawImage(photograph, -0.5, -0.5, ...picture.size);
-    const ink = colours(element);
+    const ink = colours(box);
     for (const line of picture.lines) stroke(context, line, floats, ink, Boolean(photograph));
     for (const label of picture.labels) write(context, label, ink, picture.size[0] / width, Boolean(photograph));
     point(pointer);
   }
 
+  const readable = () => picture.pixels || picture.probes.length > 0;
+
   function point(at) {
     pointer = at;
     const context = fit(cross);
-    const readable = picture.pixels || picture.probes.length > 0;
-    if (!at || !readable) {
-      reading.textContent = readable ? "Point at the picture to read it." : "";
+    if (!at || !readable()) {
+      reading.textContent = readable() ? "Point at the picture to read it." : "";
       return;
     }
     const [w, h] = picture.size;
@@ -277,7 +288,7 @@ function figure() {
     const texts = picture.pixels ? [`(u, v) = (${u.toFixed(0)}, ${v.toFixed(0)}) px`] : [];
     for (const probe of picture.probes) {
       const value = interpolate(probe, floats, u / (w - 1), v / (h - 1));
-      if (Number.isFinite(value)) texts.push(`${probe.label} ${value.toFixed(probe.digits)} ${probe.unit}`);
+      if (Number.isFinite(value)) texts.push(`${probe.label} ${value.toFixed(probe.digits)}${probe.gap}${probe.unit}`);
     }
     reading.textContent = texts.join("  ·  ");
   }
@@ -301,10 +312,14 @@ function figure() {
     element,
     draw,
     show(next, bitmap, numbers) {
-      [picture, photograph, floats] = [next, bitmap, numbers];
+      [picture, floats] = [next, numbers];
+      if (bitmap !== "same") photograph = bitmap;
+      box.classList.toggle("ce-photograph", Boolean(photograph));
       title.textContent = picture.title;
       canvas.ariaLabel = picture.alt;
       element.style.setProperty("--ce-width", `${picture.size[0]}px`);
+      element.style.setProperty("--ce-share", picture.size[0]);
+      reading.classList.toggle("ce-readable", readable());
       box.style.aspectRatio = picture.size.join(" / ");
       draw();
     },

@@ -56,6 +56,7 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         self._frame = frame
         self._state: dict[str, Value] = {c.name: c.nearest(c.default) for c in controls}
         self._count, self._raw = 0, False
+        self._before: Frame | None = None
         # JupyterLab delivers widget messages on a thread of their own.
         self._lock = threading.Lock()
         message, buffers = self._answer({})
@@ -101,6 +102,8 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
     def _receive(self, _: object, content: Mapping[str, Any], __: object) -> None:
         """Answer a message of a view: its state, or only ``hello``."""
         self._raw = bool(content.get("raw"))
+        if "state" not in content:  # a new view has nothing yet
+            self._before = None
         message, buffers = self._answer(content.get("state") or {})
         mine = {"view": content.get("view"), "seq": content.get("seq")}
         self.send(message | mine, buffers)
@@ -113,7 +116,8 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
             try:
                 frame = self.frame_now()
                 self._move(frame.follows)
-                message, buffers = encode_frame(frame, self._raw)
+                message, buffers = encode_frame(frame, self._raw, self._before)
+                self._before = frame
             except Exception as error:  # a frame function may fail in any way; the reader is told
                 message, buffers = {"error": self._sentence(error)}, []
             return {"count": self._count, "state": self.state} | message, buffers

@@ -12,7 +12,9 @@ from course_lib.drawing.explorers import Frame, Picture
 JPEG_QUALITY = 90
 
 
-def encode_frame(frame: Frame, raw: bool = False) -> tuple[dict[str, Any], list[bytes]]:
+def encode_frame(
+    frame: Frame, raw: bool = False, before: Frame | None = None
+) -> tuple[dict[str, Any], list[bytes]]:
     """Encode a frame for the browser.
 
     Parameters
@@ -22,28 +24,40 @@ def encode_frame(frame: Frame, raw: bool = False) -> tuple[dict[str, Any], list[
     raw : bool
         Send photographs as RGBA bytes, not JPEG: more to carry, nothing to decode, so faster when
         the browser is on the same machine.
+    before : Frame, optional
+        What the browser already shows; a photograph that is the same array is not sent again.
 
     Returns
     -------
     message : dict
-        JSON. ``start`` counts in the numbers of ``buffers[0]``, ``image`` in `buffers`.
+        JSON. ``start`` counts in the numbers of ``buffers[0]``, ``image`` in `buffers`; it is
+        ``"same"`` for a photograph that is there already.
     buffers : list of bytes
         First every point and grid, ``float32``; then the photographs.
     """
     numbers = _Numbers()
-    photographs = [p.image for p in frame.pictures if p.image is not None]
-    places = iter(range(1, len(photographs) + 1))
-    pictures = [
-        _encode_picture(p, None if p.image is None else next(places), numbers)
-        for p in frame.pictures
-    ]
+    photographs: list[NDArray[np.uint8]] = []
+    pictures = []
+    for place, picture in enumerate(frame.pictures):
+        image: int | str | None = None
+        if picture.image is not None:
+            image = "same" if _shown(picture, before, place) else len(photographs) + 1
+            photographs += [] if image == "same" else [picture.image]
+        pictures.append(_encode_picture(picture, image, numbers))
     message = {
         "pictures": pictures,
-        "readouts": [vars(r) for r in frame.readouts],
+        "readouts": [vars(r) | {"quantity": r.quantity} for r in frame.readouts],
         "follows": dict(frame.follows),
         "raw": raw,
     }
     return message, [numbers.packed(), *map(rgba if raw else jpeg, photographs)]
+
+
+def _shown(picture: Picture, before: Frame | None, place: int) -> bool:
+    """Return whether the picture at this place of the frame before is the same array."""
+    if before is None or place >= len(before.pictures):
+        return False
+    return before.pictures[place].image is picture.image
 
 
 class _Numbers:
@@ -66,7 +80,7 @@ class _Numbers:
         return b"".join(array.tobytes() for array in self._arrays)
 
 
-def _encode_picture(picture: Picture, image: int | None, numbers: _Numbers) -> dict[str, Any]:
+def _encode_picture(picture: Picture, image: int | str | None, numbers: _Numbers) -> dict[str, Any]:
     """Encode one picture whose photograph is buffer number `image`."""
     return {
         "title": picture.title,
@@ -77,7 +91,12 @@ def _encode_picture(picture: Picture, image: int | None, numbers: _Numbers) -> d
         "lines": [vars(line) | {"points": numbers.add(line.points)} for line in picture.lines],
         "labels": [vars(label) for label in picture.labels],
         "probes": [
-            vars(probe) | {"values": numbers.add(probe.values), "shape": list(probe.values.shape)}
+            vars(probe)
+            | {
+                "values": numbers.add(probe.values),
+                "shape": list(probe.values.shape),
+                "gap": "" if probe.unit == "°" else " ",
+            }
             for probe in picture.probes
         ],
     }
@@ -112,7 +131,8 @@ def jpeg(image: NDArray[np.uint8]) -> bytes:
     Returns
     -------
     bytes
-        The file.    """
+        The file.
+    """
     import cv2
 
     bgr = cv2.cvtColor(image, cv2.COLOR_RGB2BGR)

@@ -1,0 +1,187 @@
+"""The aperture explorer: a picture through a hole, and the two blurs that limit it."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from course_lib.drawing.explorers import Frame, Label, Line, Picture, Readout
+from course_lib.drawing.explorers_street import CHART, WIDTH, renderer, upright_camera
+from course_lib.optics import airy_diameter, best_pinhole_diameter, pinhole_blur_diameter
+
+if TYPE_CHECKING:
+    from data_generators.hole import Spread
+
+EYE = (0.5, -3.5, 1.65)  # m
+FILM = (96.0, 64.0)  # mm
+PITCH = FILM[0] / WIDTH  # mm
+DISTANCE = float(CHART[1]) - EYE[1]  # m: from the hole to the letter chart
+WAVELENGTH = 550e-6  # mm: green
+USUAL = 1.0  # mm: the hole for which the fixed exposure time is right, at 100 mm
+ADJUSTED, FIXED = "adjusted to the hole", "the same for every hole"
+
+SIDE_SIZE = (230, 320)  # px
+SPOT_SCALE = 50.0  # px a mm
+HOLES, BLURS = (0.05, 2.5), (0.05, 6.0)  # mm: axes of the curves
+PLOT = (42.0, 222.0, 14.0, 272.0)  # px: left, right, top, bottom
+
+
+def aperture_frame(d: float, s: float, exposure: str) -> Frame:
+    """Return the picture through a hole, its spot and its place on the curves of blur.
+
+    Parameters
+    ----------
+    d : float
+        Diameter of the hole, mm.
+    s : float
+        Image distance, mm.
+    exposure : str
+        `ADJUSTED` or `FIXED`: whether the exposure time makes up for the size of the hole.
+
+    Returns
+    -------
+    Frame
+        The photograph, the spot, the curves, and the numbers.
+    """
+    from data_generators.hole import Hole
+
+    hole = Hole(d, s, WAVELENGTH)
+    brightness = hole.light / Hole(USUAL).light
+    linear = _spread(s).through(hole, 1.0 if exposure == ADJUSTED else brightness)
+    shadow, rings = _blurs(d, s)
+    best = float(best_pinhole_diameter(s, WAVELENGTH))
+    photograph = Picture(
+        "Through the hole",
+        f"The street through a hole of {d:g} mm: each point is a spot of about "
+        f"{(shadow + rings) / PITCH:.1f} px.",
+        (linear.shape[1], linear.shape[0]),
+        np.clip(linear, 0, 255).astype(np.uint8),
+        pixels=True,
+    )
+    return Frame(
+        (photograph, _spot(shadow, rings), _curves(d, s, best)),
+        (
+            Readout("Shadow of the hole", "", f"{shadow:.2f}", "mm"),
+            Readout("Diffraction (Airy disk)", "", f"{rings:.2f}", "mm"),
+            Readout("Both together", "", f"{shadow + rings:.2f}", "mm"),
+            Readout("The same in pixels", "", f"{(shadow + rings) / PITCH:.1f}", "px"),
+            Readout("Light, against a 1 mm hole", "", f"{brightness:.3g}", "×"),
+            Readout("Best hole", "", f"{best:.2f}", "mm"),
+        ),
+    )
+
+
+def _blurs(d: NDArray[np.float64] | float, s: float) -> tuple[Any, Any]:
+    """Return the diameters of the geometric spot of the chart and of the Airy disk, mm."""
+    shadow = pinhole_blur_diameter(d, s, 1000 * DISTANCE)
+    return shadow, airy_diameter(WAVELENGTH, s / np.asarray(d))
+
+
+@lru_cache(maxsize=12)
+def _spread(s: float) -> Spread:
+    """Return the sharp street at an image distance, ready to be blurred."""
+    from data_generators.hole import Spread, with_margin
+
+    wider, margin = with_margin(upright_camera(EYE, s, FILM))
+    return Spread(renderer().picture(wider), margin, (PITCH, PITCH), DISTANCE)
+
+
+def _spot(shadow: float, rings: float) -> Picture:
+    """Return the image of one point, drawn to scale on the pixels of the picture."""
+    w, h = SIDE_SIZE
+    middle = np.array([w / 2, h / 2])
+    cell = PITCH * SPOT_SCALE
+    across = np.arange(middle[0] % cell, w, cell)
+    down = np.arange(middle[1] % cell, h, cell)
+    grid = [[[u, 0], [u, h], [np.nan, np.nan]] for u in across]
+    grid += [[[0, v], [w, v], [np.nan, np.nan]] for v in down]
+    bar = np.array([[14, h - 18], [14 + SPOT_SCALE, h - 18]])
+    return Picture(
+        "The image of one point",
+        f"A disk of {shadow:.2f} mm, the shadow of the hole, and an Airy disk of {rings:.2f} mm, "
+        f"on pixels of {PITCH:g} mm.",
+        SIDE_SIZE,
+        lines=(
+            Line(np.array(grid).reshape(-1, 2), "guide", 0.4),
+            Line(_circle(middle, shadow), "ray", 2.0, closed=True, fill=0.45),
+            Line(_circle(middle, rings), "image", 2.0, closed=True, fill=0.2),
+            Line(bar, "ink", 3.0),
+        ),
+        labels=(
+            Label("1 mm", (14 + SPOT_SCALE / 2, h - 30), anchor="middle"),
+            Label("shadow of the hole", (14, 16), "ray"),
+            Label("diffraction", (14, 34), "image"),
+            Label("1 square = 1 pixel", (w - 14, h - 18), "guide", "end"),
+        ),
+    )
+
+
+def _circle(middle: NDArray[np.float64], diameter: float) -> NDArray[np.float64]:
+    """Return a circle on the spot diagram, its diameter in mm."""
+    turn = np.linspace(0, 2 * np.pi, 73)[:-1]
+    return middle + diameter / 2 * SPOT_SCALE * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+
+
+def _curves(d: float, s: float, best: float) -> Picture:
+    """Return both blurs and their sum against the hole, on logarithmic axes."""
+    holes = np.geomspace(*HOLES, 60)
+    shadow, rings = _blurs(holes, s)
+    here, total = _on_axes([d, d], [BLURS[0], sum(_blurs(d, s))]), shadow + rings
+    left, right, top, bottom = PLOT
+    lowest = _on_axes([best, best], BLURS)
+    return Picture(
+        "Blur against the hole",
+        f"The sum of both blurs is smallest at a hole of {best:.2f} mm; this one is {d:g} mm.",
+        SIDE_SIZE,
+        lines=(
+            Line([[left, top], [left, bottom], [right, bottom]], "guide", 1.2),
+            Line(lowest, "guide", 1.2, dashed=True),
+            Line(_on_axes(holes, shadow), "ray", 2.0),
+            Line(_on_axes(holes, rings), "image", 2.0),
+            Line(_on_axes(holes, total), "ink", 2.5),
+            Line(here, "object", 2.0),
+            Line(here[1] + 5 * _unit_circle(), "object", 2.0, closed=True, fill=1.0),
+        ),
+        labels=_axis_labels(best),
+    )
+
+
+def _axis_labels(best: float) -> tuple[Label, ...]:
+    """Return the numbers and names at the axes of the curves."""
+    left, right, top, bottom = PLOT
+    numbers = [Label(f"{x:g}", _at(x, BLURS[0], 0, 12), anchor="middle") for x in (0.1, 1)]
+    numbers += [Label(f"{y:g}", _at(HOLES[0], y, -6, 0), anchor="end") for y in (0.1, 1)]
+    return (
+        *numbers,
+        Label("hole d in mm", ((left + right) / 2, bottom + 32), anchor="middle"),
+        Label("blur in mm", (left + 6, top - 4)),
+        Label("best", _at(best, BLURS[1], 5, 22), "guide"),
+        Label("shadow", _at(0.12, 0.085, 4, 0), "ray"),
+        Label("diffraction", _at(1.1, 0.062, 0, 0), "image", "end"),
+    )
+
+
+def _on_axes(holes: object, blurs: object) -> NDArray[np.float64]:
+    """Return pixels of the curves' picture from holes and blurs, mm; NaN outside the axes."""
+    left, right, top, bottom = PLOT
+    x, y = np.asarray(holes, float), np.asarray(blurs, float)
+    across = np.log(x / HOLES[0]) / np.log(HOLES[1] / HOLES[0])
+    up = np.log(y / BLURS[0]) / np.log(BLURS[1] / BLURS[0])
+    points = np.stack([left + across * (right - left), bottom - up * (bottom - top)], axis=1)
+    points[(up < -1e-9) | (up > 1 + 1e-9)] = np.nan
+    return points
+
+
+def _at(hole: float, blur: float, right: float, down: float) -> tuple[float, float]:
+    """Return one pixel of the curves' picture, moved to the right and down."""
+    (u, v) = _on_axes([hole], [blur])[0]
+    return float(u) + right, float(v) + down
+
+
+def _unit_circle() -> NDArray[np.float64]:
+    """Return 24 points of the unit circle."""
+    turn = np.linspace(0, 2 * np.pi, 25)[:-1]
+    return np.stack([np.cos(turn), np.sin(turn)], axis=1)
