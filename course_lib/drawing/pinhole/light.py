@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from course_lib.drawing.diagrams import (
     Floats,
@@ -189,11 +188,15 @@ def blur_against_hole(
     ax.loglog(d, d + airy, color=BLACK, lw=2.5, label="sum")
     best = best_pinhole_diameter(image_distance, wavelength)
     ax.plot(best, 2 * best, "o", color=BLACK, ms=8)
-    ax.annotate(f"smallest spot: d = {best:.2f} mm", (best, 2 * best), (best, 0.07), ha="center",
-                arrowprops={"arrowstyle": "-", "color": GREY})  # fmt: skip
+    note = {"bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1.5}, "ha": "center"}
+    line = {"arrowstyle": "-", "color": GREY}
+    label = f"smallest spot: d = {best:.2f} mm"
+    ax.annotate(label, (best, 2 * best), (best, 0.07), arrowprops=line, **note)
     marked = same_shape(yours, np.asarray(best))
     if marked is not None and np.isfinite(marked) and marked > 0:
-        ax.axvline(float(marked), color=ROLES["second"], lw=3, alpha=0.6, label="your answer")
+        ax.vlines(
+            float(marked), 0.04, 6, color=ROLES["second"], lw=3, alpha=0.6, label="your answer"
+        )
     ax.set(xlabel="hole diameter d (mm)", ylabel="spot diameter (mm)", ylim=(0.04, 30))
     _plain_ticks(ax)
     ax.legend(loc="upper center", ncols=2)
@@ -207,21 +210,3 @@ def _plain_ticks(ax: Axes) -> None:
     for axis in (ax.xaxis, ax.yaxis):
         axis.set_major_formatter(lambda value, _: f"{value:g}")
         axis.set_minor_formatter(NullFormatter())
-
-
-def exposure_times(diameters: ArrayLike, reference: float) -> Floats:
-    """Return how many times longer each hole must be open to let as much light in.
-
-    Parameters
-    ----------
-    diameters : array_like, shape (N,)
-        Diameters of the holes.
-    reference : float
-        The diameter that they are compared with, same unit.
-
-    Returns
-    -------
-    ndarray, shape (N,)
-        Ratios of areas.
-    """
-    return np.asarray((reference / np.asarray(diameters, dtype=float)) ** 2)

@@ -45,6 +45,11 @@ def _photograph(camera: Camera) -> NDArray[np.uint8]:
     return picture
 
 
+def _shown(light: ArrayLike) -> Floats:
+    """Return a picture for Matplotlib from light on a scale to 255; too much light is white."""
+    return np.clip(np.asarray(light, dtype=float) / 255, 0, 1)
+
+
 @figure
 def facade(
     f: float = 16.0,
@@ -74,7 +79,9 @@ def facade(
     ends = (project(corners, camera) + 0.5) * image_size[0] / shown[0] - 0.5
     fig, ax = panels(1, 1, (6.4, 5.6))
     width, height = image_size
-    ax.imshow(_photograph(camera), extent=(-0.5, width - 0.5, height - 0.5, -0.5))
+    longer = 1.25  # the front lies in the shade
+    shade = _shown(longer * _photograph(camera))
+    ax.imshow(shade, extent=(-0.5, width - 0.5, height - 0.5, -0.5))
     picture_frame(ax, image_size)
     arrow = {"arrowstyle": "<|-|>", "color": ORANGE, "lw": 2.5, "shrinkA": 0, "shrinkB": 0}
     ax.annotate("", xy=tuple(ends[1]), xytext=tuple(ends[0]), arrowprops=arrow)
@@ -193,6 +200,7 @@ def hole_series(
     image_distance: float = 100.0,
     wavelength: float = 0.00055,
     Z: float = 5.2,
+    same_exposure: bool = False,
 ) -> Figure:
     """Show the letter chart in the street, photographed through holes of several sizes.
 
@@ -204,11 +212,13 @@ def hole_series(
         Distance from hole to sensor (36 mm × 24 mm), and wavelength of the light, mm.
     Z : float
         Distance from hole to chart, m.
+    same_exposure : bool
+        Whether all are exposed as long as the first one; if not, all are equally bright.
 
     Returns
     -------
     Figure
-        A photograph for each hole, all made equally bright.
+        A photograph for each hole.
     """
     from data_generators.hole import Hole, Spread, with_margin
 
@@ -221,7 +231,7 @@ def hole_series(
     for ax in axes.flat:
         ax.axis("off")
     for ax, d in zip(axes.flat, diameters, strict=False):
-        picture = spread.through(Hole(d, image_distance, wavelength))
-        ax.imshow(np.clip(picture / 255, 0, 1))
+        light = (d / diameters[0]) ** 2 if same_exposure else 1.0
+        ax.imshow(_shown(light * spread.through(Hole(d, image_distance, wavelength))))
         ax.set_title(f"d = {d:g} mm")
     return fig
