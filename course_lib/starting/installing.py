@@ -99,7 +99,11 @@ def create(env: Environment, lock: int) -> None:
     env.folder.mkdir()
     env.stamp.write_text("{}", "utf-8")  # from here on the folder is known as ours
     env.log.write_bytes(b"")
-    run_logged(env, [sys.executable, "-m", "venv", str(env.folder)], "Making the environment", lock)
+    # Two programs, because venv keeps to itself what ensurepip complains of.
+    venv = [sys.executable, "-m", "venv", "--without-pip", str(env.folder)]
+    pip = [str(env.python), "-m", "ensurepip", "--upgrade", "--default-pip"]
+    for command in (venv, pip):
+        run_logged(env, command, "Making the environment", lock)
 
 
 def install_packages(env: Environment, wanted: str, lock: int) -> None:

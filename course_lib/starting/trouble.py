@@ -33,8 +33,8 @@ ADVICE = {
     "hash": (
         r"DO NOT MATCH THE HASHES",
         "A downloaded package is not the one that the course was made with, so it was refused.\n"
-        "Most often a download was cut short or a proxy changed it. Empty pip's store with\n"
-        "`python3 -m pip cache purge` and start again, on another network if it stays.",
+        "Most often a download was cut short or a proxy changed it. Set the variable\n"
+        "PIP_NO_CACHE_DIR to 1 and start again, on another network if it stays.",
     ),
     "permission": (
         r"Permission denied|Errno 13\b|Access is denied|WinError (5|32)\b|Read-only file system",
@@ -64,9 +64,9 @@ ADVICE = {
     ),
     "no pip": (
         r"ensurepip is not available|No module named '?(venv|ensurepip)",
-        "This Python ({python}) has no venv module, with which the course makes its private\n"
-        "environment. On Debian and Ubuntu install it with\n"
-        "`sudo apt install python3-venv`, elsewhere install Python from python.org.",
+        "This machine's Python lacks the part that makes private environments (venv).\n"
+        "On Debian and Ubuntu install it with `sudo apt install python3-venv`;\n"
+        "elsewhere install Python 3.13 from python.org. Then start again.",
     ),
 }
 ORDER = list(ADVICE)  # a later kind of trouble can be the consequence of an earlier one
@@ -111,4 +111,4 @@ def explain_os_error(error: OSError, root: Path) -> str:
 def _free_space(root: Path) -> str:
     places = dict.fromkeys([root, Path(tempfile.gettempdir())])
     free = [f"{shutil.disk_usage(place).free / 1e9:.1f} GB in {place}" for place in places]
-    return f"The course needs about {GIGABYTES_NEEDED} GB; free are {' and '.join(free)}."
+    return f"The course needs about {GIGABYTES_NEEDED} GB.\nFree are {' and '.join(free)}."
