@@ -11,7 +11,6 @@ from typing import Any
 
 from nbformat import NotebookNode
 from nbgrader.preprocessors import Execute
-from nbgrader.utils import setenv
 from traitlets import Unicode
 
 from course_lib.notebook import GRADING_SEED
@@ -91,6 +90,9 @@ class ExecuteWithSeed(Execute):  # type: ignore[misc]
         """Execute one notebook."""
         who = resources["nbgrader"]
         seed = grading_seed(read_key(Path(self.key_file)), who["student"], who["assignment"])
-        with setenv(**{GRADING_SEED: seed}):
+        os.environ[GRADING_SEED] = seed
+        try:
             executed: tuple[NotebookNode, dict[str, Any]] = super().preprocess(nb, resources, km)
+        finally:
+            del os.environ[GRADING_SEED]
         return executed

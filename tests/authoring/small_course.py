@@ -1,5 +1,7 @@
 """A course of two short lessons with the real exercises: quick to build, run and grade."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 from course_lib.exercises import CHAPTERS, all_exercises
@@ -52,3 +54,9 @@ def write_course(root: Path) -> Path:
     for chapter, name in CHAPTERS.items():
         (root / "lessons" / f"{name}.md").write_text(chapter_lesson(chapter), encoding="utf-8")
     return root
+
+
+def run(*command: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    """Run one of the environment's programs, as at a prompt."""
+    program = [str(Path(sys.executable).with_name(command[0])), *map(str, command[1:])]
+    return subprocess.run(program, cwd=cwd, capture_output=True, text=True, timeout=600)

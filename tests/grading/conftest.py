@@ -1,0 +1,52 @@
+import shutil
+from pathlib import Path
+from types import SimpleNamespace
+
+import nbformat
+import pytest
+import second_solutions
+from small_course import run, write_course
+
+from data_generators.classes import simulate_class, write_submissions
+
+
+@pytest.fixture(scope="session")
+def make_term(tmp_path_factory):
+    """Make a term of a small course with its notebook released into the gradebook."""
+
+    def make(name: str) -> Path:
+        base = tmp_path_factory.mktemp(name)
+        course = write_course(base / "course")
+        made = run("course", "term", base / "term", "--course-id", "camera", cwd=course)
+        assert made.returncode == 0, made.stderr
+        generated = run("nbgrader", "generate_assignment", "01_pinhole", cwd=base / "term")
+        assert generated.returncode == 0, generated.stderr
+        return base / "term"
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def released_term(make_term):
+    """A term whose notebook is ready for students."""
+    return make_term("released")
+
+
+@pytest.fixture(scope="session")
+def graded(make_term):
+    """A term in which a whole class was graded, up to feedback and the table of grades."""
+    term = make_term("graded")
+    released = nbformat.read(term / "release/01_pinhole/01_pinhole.ipynb", as_version=4)
+    submissions = simulate_class(released, "pinhole", vars(second_solutions))
+    write_submissions(term, "01_pinhole", submissions)
+    autograde = run("nbgrader", "autograde", "01_pinhole", "--Execute.timeout=10", cwd=term)
+    feedback = run("nbgrader", "generate_feedback", "01_pinhole", cwd=term)
+    export = run("nbgrader", "export", "--to", "grades.csv", cwd=term)
+    yield SimpleNamespace(
+        term=term,
+        submissions={submission.student: submission for submission in submissions},
+        autograde=autograde,
+        feedback=feedback,
+        export=export,
+    )
+    shutil.rmtree(term)

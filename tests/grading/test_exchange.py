@@ -1,0 +1,50 @@
+"""Fetch, submit, collect and get feedback through nbgrader's exchange, as on a shared machine."""
+
+import getpass
+import re
+
+import nbformat
+import pytest
+from small_course import run
+
+pytestmark = pytest.mark.slow
+ASSIGNMENT = "01_pinhole"
+
+
+@pytest.fixture
+def student(released_term, tmp_path, monkeypatch):
+    """A student's folder, set up as the term's README says."""
+    readme = (released_term / "README.md").read_text(encoding="utf-8")
+    settings = re.search(r"```python\n(.*?)```", readme, re.DOTALL)[1]
+    (tmp_path / "nbgrader_config.py").write_text(settings)
+    monkeypatch.setenv("JUPYTER_DATA_DIR", str(tmp_path / "data"))
+    return tmp_path
+
+
+def succeed(*command, cwd):
+    done = run("nbgrader", *command, ASSIGNMENT, cwd=cwd)
+    assert done.returncode == 0, done.stderr
+
+
+def test_there_and_back(released_term, student):
+    me = getpass.getuser()
+    succeed("release_assignment", cwd=released_term)
+    succeed("fetch_assignment", cwd=student)
+    mine = student / ASSIGNMENT / f"{ASSIGNMENT}.ipynb"
+    assert mine.read_bytes() == (released_term / "release" / ASSIGNMENT / mine.name).read_bytes()
+    notebook = nbformat.read(mine, as_version=4)
+    for cell in notebook.cells:
+        if cell.id == "pinhole-dolly_zoom":
+            cell.source = "def dolly_zoom(f, Z, Z_new):\n    return f * Z_new / Z"
+    nbformat.write(notebook, mine)
+    succeed("submit", cwd=student)
+    succeed("collect", cwd=released_term)
+    assert (
+        released_term / "submitted" / me / ASSIGNMENT / mine.name
+    ).read_bytes() == mine.read_bytes()
+    succeed("autograde", cwd=released_term)
+    succeed("generate_feedback", cwd=released_term)
+    succeed("release_feedback", cwd=released_term)
+    succeed("fetch_feedback", cwd=student)
+    (page,) = student.glob(f"{ASSIGNMENT}/feedback/*/{ASSIGNMENT}.html")
+    assert "4 of 4 points" in page.read_text(encoding="utf-8")
