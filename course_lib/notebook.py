@@ -8,11 +8,13 @@ import inspect
 import os
 import sys
 import textwrap
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
 from typing import Any
 
-from course_lib.exercises import find
+import numpy as np
+
+from course_lib.exercises import all_exercises, find
 from course_lib.judging import Exercise, ValuesExercise, Verdict, answer, judge, pose, seed_for
 from course_lib.judging.html import to_html
 from course_lib.judging.limits import TimeLimitReached, time_limit
@@ -59,7 +61,8 @@ def attempt(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:
     """Return what a student's function answers; while it does not, say why and return None.
 
     Figures use it to draw a student's answer beside the course's own, so that a notebook runs to
-    its end whether an exercise is finished or not.
+    its end whether an exercise is finished or not. A result of another shape than the course's
+    own counts as no answer.
 
     Parameters
     ----------
@@ -97,14 +100,37 @@ def attempt_each(function: Callable[..., Any], cases: Iterable[Any], **kwargs: A
     name = getattr(function, "__name__", "your function")
     try:
         with time_limit(3.0):
-            return [function(*args, **named) for args, named in calls]
+            results = [function(*args, **named) for args, named in calls]
+        return [_shaped(*pair) for pair in zip(results, _expected(name, calls), strict=True)]
     except NotImplementedError:
         print(f"{name} is not written yet. Run this cell again when it is.")
     except TimeLimitReached:
         print(f"{name} takes too long.")
     except Exception as error:
-        print(f"{name} stops with {type(error).__name__}: {error}")
+        print(f"{name} does not answer: {type(error).__name__}, {error}")
     return [None] * len(calls)
+
+
+def _expected(name: str, calls: Sequence[Any]) -> list[Any]:
+    """Return what the course's own function of that name gives for some calls."""
+    exercises = [e for e in all_exercises() if isinstance(e, Exercise) and e.function_name == name]
+    if not exercises:
+        return [None] * len(calls)
+    return [exercises[0].reference(*args, **named) for args, named in calls]
+
+
+def _shaped(result: Any, expected: Any) -> Any:
+    """Return a result as numbers of the expected shape; raise a TypeError that says what it is."""
+    if expected is None:
+        return result
+    shape = np.shape(expected)
+    kind = f"an array of shape {shape}" if shape else "a number"
+    if result is None:
+        raise TypeError(f"it returns None instead of {kind}; does it end in a return?")
+    numbers = np.asarray(result, dtype=float)
+    if numbers.shape != shape:
+        raise TypeError(f"it returns shape {numbers.shape} instead of {kind}")
+    return numbers if shape else float(numbers)
 
 
 def solution(name: str) -> None:

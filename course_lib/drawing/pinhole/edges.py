@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.drawing.diagrams import figure, panels, picture_frame, stroke, write
-from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREY, ORANGE, RED
+from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREEN, ORANGE, PURPLE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -46,7 +46,9 @@ def photograph(picture: ArrayLike, c: ArrayLike, edges: Mapping[str, Edge] | Non
     _mark(ax, c, "P", "principal point")
     for (name, edge), colour in zip((edges or {}).items(), _colours(), strict=False):
         stroke(ax, edge, color=colour, lw=3)
-        _label(ax, np.mean(edge, axis=0), name, colour)
+        along = np.abs(np.subtract(*edge))
+        beside = (0, 18) if along[0] > along[1] else (-48, 0)
+        _label(ax, np.mean(edge, axis=0) + np.array(beside), name, colour)
     ax.legend(loc="lower left", frameon=True, framealpha=0.9)
     return fig
 
@@ -90,7 +92,7 @@ def meeting_lines(picture: ArrayLike, edges: Mapping[str, Edge], meeting: ArrayL
 
 
 def _colours() -> tuple[str, ...]:
-    return (BLUE, ORANGE, RED, GREY)
+    return (BLUE, ORANGE, PURPLE, GREEN)
 
 
 def _mark(ax: Axes, at: ArrayLike, marker: str, label: str) -> None:

@@ -83,7 +83,7 @@ def image_planes(f: float = 2.0, height: float = 2.4, Z: float = 5.0) -> Figure:
         write(ax, (0, 0.22), "hole", va="bottom")
         dimension(ax, (0, -1.45), (side * f, -1.45), "$f$")
         dimension(ax, (0, -1.95), (Z, -1.95), "$Z$")
-        sign = "$x = -fX/Z$" if side < 0 else "$x = fX/Z$"
+        sign = "$y = -fY/Z$" if side < 0 else "$y = fY/Z$"
         write(ax, (side * f, 1.3), sign, "image", va="bottom", fontsize=13)
         fit(ax, -f - 1.2, Z + 2.4, -2.25, 1.9)
     return fig

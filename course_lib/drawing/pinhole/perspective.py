@@ -32,7 +32,7 @@ HOUSE_EDGES = [(i, (i + 1) % 5) for i in range(5)]
 HOUSE_EDGES += [(i + 5, j + 5) for i, j in HOUSE_EDGES] + [(i, i + 5) for i in range(5)]
 
 
-def house(X: float = 3.0, Z: float = 18.0, depth: float = 9.0) -> Floats:
+def house(X: float = 4.0, Z: float = 20.0, depth: float = 9.0) -> Floats:
     """Return the ten corners of a house in the camera frame.
 
     Parameters

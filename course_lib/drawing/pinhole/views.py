@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 FULL_FRAME = (36.0, 24.0)
 #: The front of the red house: its wall is at x, from y to y, this high, m.
 FRONT_X, FRONT_Y, FRONT_HEIGHT = -6.6, (16.5, 25.5), 5.4
-ROAD_LINES = ((-3.2, 0.0), (3.2, 0.0), (-6.6, 5.6), (6.6, 5.5))  # x, z of lines along the road, m
+#: Kerbs and eaves along the road: x, z, and the y from which they are drawn, m.
+ROAD_LINES = ((-3.2, 0.0, 0.5), (3.2, 0.0, 0.5), (-6.6, 5.6, 5.0), (6.6, 5.5, 7.5))
 CHART = np.array([1.5, 5.2, 1.3])  # m: what the series and the dolly zoom look at
 
 
@@ -83,8 +84,7 @@ def facade(
     shade = _shown(longer * _photograph(camera))
     ax.imshow(shade, extent=(-0.5, width - 0.5, height - 0.5, -0.5))
     picture_frame(ax, image_size)
-    arrow = {"arrowstyle": "<|-|>", "color": ORANGE, "lw": 2.5, "shrinkA": 0, "shrinkB": 0}
-    ax.annotate("", xy=tuple(ends[1]), xytext=tuple(ends[0]), arrowprops=arrow)
+    ax.plot(*ends.T, color=ORANGE, lw=3, marker="|", ms=16, mew=3)
     paper = {"facecolor": "white", "edgecolor": "none", "alpha": 0.9}
     write(ax, ends.mean(axis=0), f"{FRONT_Y[1] - FRONT_Y[0]:g} m", bbox=paper)
     ax.set_title(f"f = {f:g} mm, Z = {Z:g} m")
@@ -139,8 +139,8 @@ def street_lines(camera: Camera, yours: ArrayLike | None = None) -> Figure:
     ax.imshow(_photograph(camera))
     picture_frame(ax, camera.image_size)
     ax.set_autoscale_on(False)
-    for x, z in ROAD_LINES:
-        near = project((x, 12.0, z), camera)
+    for x, z, y in ROAD_LINES:
+        near = project((x, y, z), camera)
         ax.plot(*np.array([near, meeting]).T, color=ORANGE, lw=2)
     across = vanishing_point(camera.R @ (1.0, 1.0, 0.0), f, c)  # another level direction
     ax.axline(meeting, across, color=BLUE, lw=2, ls=(0, (8, 4)), label="horizon")
