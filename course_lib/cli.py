@@ -72,7 +72,8 @@ def _build(options: argparse.Namespace) -> int:
     for path in changed:
         print(f"wrote {path.relative_to(root).as_posix()}")
     if not changed:
-        print(f"Nothing to do: {len(find_lessons(root, options.lessons))} notebooks are fresh.")
+        count = len(find_lessons(root, options.lessons))
+        print(f"Nothing to do: {count} fresh notebook{'' if count == 1 else 's'}.")
     return 0
 
 
