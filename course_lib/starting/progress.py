@@ -33,13 +33,16 @@ def stage_of(log: str, pinned: int, unpacked: int) -> Stage:
     unpacked : int
         Number of packages that this run has put into the environment.
     """
-    # pip passes over a package by "Ignoring NAME: markers ..." or "Requirement already satisfied"
-    skipped = len(re.findall(r"^(?:Ignoring |Requirement already satisfied)", log, re.MULTILINE))
-    total = max(pinned - skipped, 1)
-    names = re.findall(r"^Collecting ([\w.-]+)", log, re.MULTILINE)
-    if "\nInstalling collected packages: " not in log:
-        return Stage("Getting package", min(len(names), total), total, names[-1] if names else "")
-    return Stage("Installing package", min(unpacked, total), total)
+    installing = re.search(r"^Installing collected packages: (.*)$", log, re.MULTILINE)
+    if installing:
+        total = installing[1].count(",") + 1
+        return Stage("Installing package", min(unpacked, total), total)
+    ignored = len(re.findall(r"^Ignoring ", log, re.MULTILINE))  # those for other systems
+    names = re.findall(
+        r"^(?:Collecting|Requirement already satisfied:) ([\w.-]+)", log, re.MULTILINE
+    )
+    total = max(pinned - ignored, 1)
+    return Stage("Getting package", min(len(names), total), total, names[-1] if names else "")
 
 
 class Line:
