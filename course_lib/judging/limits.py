@@ -32,7 +32,7 @@ class TooLargeError(ValueError):
 class Limits:
     """What an answer may use: seconds per call, characters of output, bytes of result."""
 
-    seconds: float = 3.0
+    seconds: float = 5.0
     characters: int = 2000
     bytes: int = 20_000_000
 

@@ -1,5 +1,7 @@
 """Points by parts, feedback in order, the hint of the right misconception, nothing given away."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -62,6 +64,24 @@ def test_a_hint_needs_agreement_in_every_wrong_answer():
         return values / factor if factor > 0 else values + 1
 
     assert verdict(mixed).hint == ""
+
+
+def test_of_two_explanations_the_one_that_fits_more_answers_wins():
+    """Both lose the sign of a negative factor; only the second also spoils the other part."""
+
+    def positive_and_one_more(values, factor):
+        return values * abs(factor) + (factor > 0)
+
+    exercise = replace(
+        EXERCISE,
+        misconceptions=[
+            Misconception(positive_and_one_more, "Why one more?"),
+            Misconception(sign_lost, "What about the sign?"),
+        ],
+    )
+    cases = pose(exercise, 3)
+    found = judge(exercise, cases, answer(exercise, sign_lost, cases))
+    assert found.misconception == "sign_lost"
 
 
 @pytest.mark.parametrize(
@@ -129,6 +149,12 @@ def test_html_escapes_what_a_student_writes():
     assert "&lt;script&gt;" in html
 
 
+def test_html_escapes_what_a_student_returns():
+    html = to_html(verdict(lambda values, factor: "<b>bold</b>"))
+    assert "<b>bold" not in html
+    assert "&lt;b&gt;bold" in html
+
+
 def test_html_does_not_rely_on_colour():
     html = to_html(verdict(sign_lost))
     assert "✓" in html
@@ -142,6 +168,11 @@ def test_seeds_depend_on_every_word_and_never_change():
         len({seed_for("a", "b"), seed_for("ab"), seed_for("b", "a"), seed_for("a", "b", "")}) == 4
     )
     assert seed_for("course", "reader") == 6471049166117062690 or seed_for("course") >= 0
+
+
+def test_cases_of_a_part_differ():
+    factors = [case.inputs["factor"] for case in pose(EXERCISE, 1)]
+    assert len(set(factors)) == len(factors) == 6
 
 
 def test_same_seed_same_inputs_other_seed_other_inputs():
