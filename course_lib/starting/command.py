@@ -49,7 +49,7 @@ def main(arguments: list[str]) -> int:
     except OSError as error:
         complaint = explain_os_error(error, ROOT)
     except KeyboardInterrupt:
-        complaint = "Stopped. The same command starts again where it makes sense."
+        complaint = "Stopped. Nothing is broken; the same command goes on."
     print(complaint, file=sys.stderr)
     return 1
 

@@ -167,11 +167,13 @@ def run_logged(env: Environment, command: list[str], step: str, lock: int, pinne
 
 def _watch(process: subprocess.Popen[bytes], env: Environment, start: int, pinned: int) -> None:
     before, line = _unpacked(env), Line()
-    while process.poll() is None:
-        if pinned:
-            line.show(stage_of(_printed(env.log, start), pinned, _unpacked(env) - before))
-        time.sleep(0.1)
-    line.clear()
+    try:
+        while process.poll() is None:
+            if pinned:
+                line.show(stage_of(_printed(env.log, start), pinned, _unpacked(env) - before))
+            time.sleep(0.1)
+    finally:
+        line.clear()
 
 
 def _printed(log: Path, start: int) -> str:

@@ -52,6 +52,7 @@ class Line:
         self.stream = stream or sys.stdout
         self.redraws = self.stream.isatty()
         self.last = ""
+        self.drawn = 0
 
     def show(self, stage: Stage) -> None:
         """Draw the stage, unless it says nothing new."""
@@ -60,12 +61,22 @@ class Line:
         if news == self.last:
             return
         self.last = news
-        width = shutil.get_terminal_size().columns - 1
-        self.stream.write(f"\r{stage!s:{width}.{width}}" if self.redraws else f"  {stage}\n")
-        self.stream.flush()
+        if self.redraws:
+            self._draw(str(stage)[: shutil.get_terminal_size().columns - 1])
+        else:
+            self._write(f"  {stage}\n")
 
     def clear(self) -> None:
         """Leave an empty line for what is said next."""
-        if self.redraws and self.last:
-            self.stream.write(f"\r{'':{shutil.get_terminal_size().columns - 1}}\r")
-            self.stream.flush()
+        if self.drawn:
+            self.drawn += len("^C")  # which a terminal shows when that is why it ends
+            self._draw("")
+            self._write("\r")
+
+    def _draw(self, text: str) -> None:
+        self._write(f"\r{text:{self.drawn}}")  # blanks over what was there
+        self.drawn = len(text)
+
+    def _write(self, text: str) -> None:
+        self.stream.write(text)
+        self.stream.flush()
