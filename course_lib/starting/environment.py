@@ -14,7 +14,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 LOCKS = {"run": "requirements.lock", "test": "requirements-test.lock"}
-PROJECT = ("pyproject.toml", "course_lib/widgets/server_config.json")
+PROJECT = (
+    "pyproject.toml",
+    "course_lib/starting/lab_settings.json",
+    "course_lib/widgets/server_config.json",
+)
 # What tells pip where packages come from is the user's; what tells it where to put them, ours.
 KEPT_PIP = frozenset(
     """CACHE_DIR CERT CLIENT_CERT CONFIG_FILE DEFAULT_TIMEOUT EXTRA_INDEX_URL FIND_LINKS INDEX_URL
