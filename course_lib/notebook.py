@@ -22,6 +22,12 @@ from course_lib.judging.text import to_text
 
 #: Set while submissions are graded: the seed of this student's hidden inputs.
 GRADING_SEED = "COURSE_GRADING_SEED"
+#: Seconds that a student's function may take inside a figure's cell.
+PATIENCE = 3.0
+
+
+class _UnusableError(TypeError):
+    """A result that no figure can use; the text goes on after the function's name."""
 
 
 def check(name: str, namespace: Mapping[str, Any] | None = None) -> float:
@@ -99,13 +105,15 @@ def attempt_each(function: Callable[..., Any], cases: Iterable[Any], **kwargs: A
     calls = [copy.deepcopy((args, kwargs)) for args in cases]
     name = getattr(function, "__name__", "your function")
     try:
-        with time_limit(3.0):
+        with time_limit(PATIENCE):
             results = [function(*args, **named) for args, named in calls]
         return [_shaped(*pair) for pair in zip(results, _expected(name, calls), strict=True)]
     except NotImplementedError:
         print(f"{name} is not written yet. Run this cell again when it is.")
     except TimeLimitReached:
         print(f"{name} takes too long.")
+    except _UnusableError as error:
+        print(f"{name} {error}")
     except Exception as error:
         print(f"{name} does not answer: {type(error).__name__}, {error}")
     return [None] * len(calls)
@@ -120,16 +128,20 @@ def _expected(name: str, calls: Sequence[Any]) -> list[Any]:
 
 
 def _shaped(result: Any, expected: Any) -> Any:
-    """Return a result as numbers of the expected shape; raise a TypeError that says what it is."""
+    """Return a result as numbers of the expected shape, or raise what is wrong with it."""
     if expected is None:
         return result
     shape = np.shape(expected)
     kind = f"an array of shape {shape}" if shape else "a number"
     if result is None:
-        raise TypeError(f"it returns None instead of {kind}; does it end in a return?")
-    numbers = np.asarray(result, dtype=float)
+        raise _UnusableError(f"returns None instead of {kind}. Does it end in a return?")
+    try:
+        numbers = np.asarray(result, dtype=float)
+    except (TypeError, ValueError):
+        raise _UnusableError(f"returns a {type(result).__name__} instead of {kind}.") from None
     if numbers.shape != shape:
-        raise TypeError(f"it returns shape {numbers.shape} instead of {kind}")
+        given = f"an array of shape {numbers.shape}" if numbers.shape else "a number"
+        raise _UnusableError(f"returns {given} instead of {kind}.")
     return numbers if shape else float(numbers)
 
 

@@ -1,0 +1,106 @@
+"""A cell that uses a student's function runs, whatever that function does."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import course_lib
+from course_lib.camera import project_pinhole as course_project
+from course_lib.notebook import attempt, attempt_each
+
+POINTS = [[0.0, 0.0, 2.0], [0.5, -0.25, 2.0]]
+
+
+def named(function: Any, name: str = "project_pinhole") -> Any:
+    function.__name__ = name
+    return function
+
+
+def answer(result: Any) -> Any:
+    """Return a student's `project_pinhole` that gives always the same."""
+    return named(lambda points, f, c: result)
+
+
+def test_a_right_answer_comes_back_as_numbers() -> None:
+    student = named(lambda points, f, c: course_project(points, f, c).tolist())
+    np.testing.assert_array_equal(
+        attempt(student, POINTS, f=800, c=(320, 240)), course_project(POINTS, 800, (320, 240))
+    )
+
+
+def test_a_number_comes_back_as_a_plain_float() -> None:
+    student = named(lambda f, Z, Z_new: np.array(7), "dolly_zoom")
+    assert type(attempt(student, 50, 2, 6)) is float
+
+
+@pytest.mark.parametrize(
+    ("result", "said"),
+    [
+        (None, "project_pinhole returns None instead of an array of shape (2, 2)"),
+        (3.0, "project_pinhole returns a number instead of an array of shape (2, 2)"),
+        (np.ones((2, 3)), "project_pinhole returns an array of shape (2, 3)"),
+        ("left", "project_pinhole returns a str"),
+        ([[1, 2], [3]], "project_pinhole returns a list"),
+        ({"u": 1}, "project_pinhole returns a dict"),
+    ],
+)
+def test_what_cannot_be_drawn_is_none_and_says_why(
+    result: Any, said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert attempt(answer(result), POINTS, 800, (320, 240)) is None
+    assert said in capsys.readouterr().out
+
+
+def test_the_untouched_stub_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    def project_pinhole(points: Any, f: Any, c: Any) -> Any:
+        raise NotImplementedError
+
+    assert attempt(project_pinhole, POINTS, 800, (320, 240)) is None
+    assert "not written yet" in capsys.readouterr().out
+
+
+def test_an_exception_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    assert attempt(named(lambda points, f, c: points[9]), POINTS, 800, (320, 240)) is None
+    assert "IndexError" in capsys.readouterr().out
+
+
+def test_an_endless_loop_ends(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def project_pinhole(points: Any, f: Any, c: Any) -> Any:
+        while True:
+            pass
+
+    monkeypatch.setattr("course_lib.notebook.PATIENCE", 0.05)
+    assert attempt(project_pinhole, POINTS, 800, (320, 240)) is None
+    assert "takes too long" in capsys.readouterr().out
+
+
+def test_inputs_are_not_changed() -> None:
+    def project_pinhole(points: Any, f: Any, c: Any) -> Any:
+        points[:] = 0
+        return points[:, :2]
+
+    points = np.array(POINTS)
+    attempt(project_pinhole, points, 800, (320, 240))
+    np.testing.assert_array_equal(points, POINTS)
+
+
+def test_each_gives_a_result_for_each_or_none_for_all() -> None:
+    cases = [(50, 2, 6), (50, 2, 2)]
+    assert attempt_each(named(lambda f, Z, Z_new: f * Z_new / Z, "dolly_zoom"), cases) == [150, 50]
+    assert attempt_each(named(lambda f, Z, Z_new: f / (Z - Z_new), "dolly_zoom"), cases) == [
+        None,
+        None,
+    ]
+
+
+def test_a_function_that_is_no_exercise_is_taken_as_it_is() -> None:
+    assert attempt(named(lambda text: text, "shout"), "hello") == "hello"
+
+
+def test_the_package_offers_it() -> None:
+    assert course_lib.attempt is attempt
