@@ -83,6 +83,7 @@ function render({ model, el }) {
     if (message.error) return;
     for (const [name, row] of rows) row.follow(message.follows[name]);
     if (figures.length !== message.pictures.length) {
+      figures.forEach((f) => f.remove());
       figures = message.pictures.map(() => figure());
       pictures.replaceChildren(...figures.map((f) => f.element));
     }
@@ -98,11 +99,9 @@ function render({ model, el }) {
     for (const c of spec.controls) rows.get(c.name).value = c.default;
     moved();
   });
-  const redraw = () => figures.forEach((f) => f.draw());
+  const redraw = () => figures.forEach((f) => f.restyle());
   const theme = new MutationObserver(redraw);
   theme.observe(document.body, { attributes: true, attributeFilter: ["data-jp-theme-light", "class"] });
-  const size = new ResizeObserver(redraw);
-  size.observe(root);
   const keep = (event) => { if (root.contains(event.target)) keepKey(event); };
   window.addEventListener("keydown", keep, { capture: true });
   model.on("msg:custom", received);
@@ -113,7 +112,7 @@ function render({ model, el }) {
     model.off("msg:custom", received);
     window.removeEventListener("keydown", keep, { capture: true });
     theme.disconnect();
-    size.disconnect();
+    figures.forEach((f) => f.remove());
     clearTimeout(patience);
     clearTimeout(rest);
   };
@@ -213,10 +212,17 @@ function nearest(values, value) {
 }
 
 function showNumbers(list, readouts) {
+  const values = list.querySelectorAll("dd");
+  const same = values.length === readouts.length && readouts.every((r, i) => values[i].label === r.label);
+  if (same) return readouts.forEach((r, i) => rewrite(values[i], r.quantity));
   const items = readouts.map((r) => make("div", {},
     make("dt", {}, r.label, " ", make("i", { textContent: r.symbol })),
-    make("dd", { textContent: r.quantity })));
+    make("dd", { textContent: r.quantity, label: r.label })));
   list.replaceChildren(...items);
+}
+
+function rewrite(element, text) {
+  if (element.textContent !== text) element.textContent = text;
 }
 
 // Pictures ------------------------------------------------------------------------------------
@@ -243,6 +249,12 @@ function figure() {
   const box = make("div", { className: "ce-box" }, canvas, cross);
   const element = make("figure", { className: "ce-figure" }, title, box, reading);
   let picture = null, photograph = null, floats = null, pointer = null, width = 0;
+  let style = null; // colours by role and the font; asking the page for them is slow
+  const size = new ResizeObserver(([entry]) => {
+    width = entry.contentRect.width;
+    draw();
+  });
+  size.observe(box);
 
   function fit(layer) {
     const dense = window.devicePixelRatio || 1;
@@ -257,13 +269,12 @@ function figure() {
   }
 
   function draw() {
-    width = box.clientWidth;
     if (!picture || !width) return;
+    style ??= styleOf(box);
     const context = fit(canvas);
     if (photograph) context.drawImage(photograph, -0.5, -0.5, ...picture.size);
-    const ink = colours(box);
-    for (const line of picture.lines) stroke(context, line, floats, ink, Boolean(photograph));
-    for (const label of picture.labels) write(context, label, ink, picture.size[0] / width, Boolean(photograph));
+    for (const line of picture.lines) stroke(context, line, floats, style, Boolean(photograph));
+    for (const label of picture.labels) write(context, label, style, picture.size[0] / width, Boolean(photograph));
     point(pointer);
   }
 
@@ -273,7 +284,7 @@ function figure() {
     pointer = at;
     const context = fit(cross);
     if (!at || !readable()) {
-      reading.textContent = readable() ? "Point at the picture to read it." : "";
+      rewrite(reading, readable() ? "Point at the picture to read it." : "");
       return;
     }
     const [w, h] = picture.size;
@@ -290,7 +301,7 @@ function figure() {
       const value = interpolate(probe, floats, u / (w - 1), v / (h - 1));
       if (Number.isFinite(value)) texts.push(`${probe.label} ${value.toFixed(probe.digits)}${probe.gap}${probe.unit}`);
     }
-    reading.textContent = texts.join("  ·  ");
+    rewrite(reading, texts.join("  ·  "));
   }
 
   cross.addEventListener("pointermove", (event) => {
@@ -310,12 +321,13 @@ function figure() {
 
   return {
     element,
-    draw,
+    restyle() { style = null; draw(); },
+    remove() { size.disconnect(); },
     show(next, bitmap, numbers) {
       [picture, floats] = [next, numbers];
       if (bitmap !== "same") photograph = bitmap;
       box.classList.toggle("ce-photograph", Boolean(photograph));
-      title.textContent = picture.title;
+      rewrite(title, picture.title);
       canvas.ariaLabel = picture.alt;
       element.style.setProperty("--ce-width", `${picture.size[0]}px`);
       element.style.setProperty("--ce-share", picture.size[0]);
@@ -326,12 +338,14 @@ function figure() {
   };
 }
 
-function colours(element) {
+function styleOf(element) {
   const computed = getComputedStyle(element);
-  return (role) => computed.getPropertyValue(`--ce-${role}`).trim();
+  const colours = {};
+  const ink = (role) => (colours[role] ??= computed.getPropertyValue(`--ce-${role}`).trim());
+  return { ink, font: computed.fontFamily };
 }
 
-function stroke(context, line, floats, ink, onPhotograph) {
+function stroke(context, line, floats, { ink }, onPhotograph) {
   const { start, count } = line.points;
   const path = new Path2D();
   let down = false;
@@ -358,8 +372,8 @@ function stroke(context, line, floats, ink, onPhotograph) {
   context.stroke(path);
 }
 
-function write(context, label, ink, scale, onPhotograph) {
-  context.font = `${12 * scale}px ${getComputedStyle(context.canvas).fontFamily}`;
+function write(context, label, { ink, font }, scale, onPhotograph) {
+  context.font = `${12 * scale}px ${font}`;
   context.textAlign = label.anchor === "middle" ? "center" : label.anchor;
   context.textBaseline = "middle";
   context.setLineDash([]);
