@@ -1,6 +1,7 @@
 import json
 import shutil
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -112,6 +113,14 @@ def test_removed_home_of_python_is_noticed(env):
 def test_other_python_is_noticed(env, monkeypatch):
     monkeypatch.setattr(sys.implementation, "cache_tag", "cpython-399")
     assert steps(env) == FROM_NOTHING
+
+
+def test_every_file_that_the_wheel_carries_elsewhere_is_watched():
+    wheel = tomllib.loads(
+        (Path(__file__).resolve().parents[2] / "pyproject.toml").read_text("utf-8")
+    )
+    shared = wheel["tool"]["hatch"]["build"]["targets"]["wheel"]["shared-data"]
+    assert set(PROJECT) == {"pyproject.toml", *shared}
 
 
 def test_stamp_holds_any_path(env):
