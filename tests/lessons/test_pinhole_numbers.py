@@ -95,7 +95,7 @@ def test_principal_point_of_the_photograph_is_off_the_middle():
     assert (width - 1) / 2 - C[0] == pytest.approx(59, abs=0.5)
     halves = np.degrees(np.arctan([(C[0] + 0.5) / F, (width - 0.5 - C[0]) / F]))
     assert halves[1] - halves[0] == pytest.approx(6, abs=0.1)
-    says("59 pixels to the left", "lopsided by 6°")
+    says("59 pixels to the left", "6° more to the right")
 
 
 def test_data_sheet():

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +17,7 @@ from course_lib.camera import (
     vanishing_point,
 )
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
+from course_lib.drawing.explorers_street import renderer
 from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, ORANGE, ROLES
 
 if TYPE_CHECKING:
@@ -32,18 +32,8 @@ ROAD_LINES = ((-3.2, 0.0, 0.5), (3.2, 0.0, 0.5), (-6.6, 5.6, 5.0), (6.6, 5.5, 7.
 CHART = np.array([1.5, 5.2, 1.3])  # m: what the series and the dolly zoom look at
 
 
-@cache
-def _renderer() -> Any:
-    """Return the renderer of the street; its textures are prepared only once."""
-    from data_generators.places import street
-    from data_generators.quick import QuickRenderer
-
-    return QuickRenderer(street())
-
-
 def _photograph(camera: Camera) -> NDArray[np.uint8]:
-    picture: NDArray[np.uint8] = _renderer().picture(camera)
-    return picture
+    return renderer().picture(camera)
 
 
 def _shown(light: ArrayLike) -> Floats:
