@@ -58,7 +58,7 @@ def aperture_frame(d: float, s: float, exposure: str) -> Frame:
         f"The street through a hole of {d:g} mm: each point is a spot of about "
         f"{(shadow + rings) / PITCH:.1f} px.",
         (linear.shape[1], linear.shape[0]),
-        np.clip(linear, 0, 255).astype(np.uint8),
+        np.rint(np.clip(linear, 0, 255)).astype(np.uint8),
         pixels=True,
     )
     return Frame(

@@ -1,0 +1,36 @@
+import cv2
+import numpy as np
+import pytest
+
+from course_lib.drawing.explorers import Frame, Label, Line, Picture, Probe, Readout, still
+
+GREY = np.full((60, 80, 3), 128, np.uint8)
+READING = Readout("Field", "θ", "65.5", "°")
+
+
+def test_a_frame_says_in_words_what_it_shows():
+    frame = Frame((Picture("Street", "A grey street.", (80, 60), GREY),), (READING,))
+    assert frame.in_words() == "A grey street.\nField θ: 65.5°"
+
+
+def test_the_still_figure_shows_the_photograph_and_its_lines():
+    line = Line([[10, 30], [40, 30], [np.nan, np.nan], [60, 30], [70, 30]], "object", 6.0)
+    frame = Frame((Picture("Street", "", (80, 60), GREY, lines=(line,)),), (READING,))
+    png = cv2.imdecode(np.frombuffer(still(frame), np.uint8), cv2.IMREAD_COLOR_RGB)
+    middle = png[png.shape[0] // 5 : -png.shape[0] // 5]
+    assert (middle == 128).all(axis=2).mean() > 0.4  # the photograph
+    assert (middle == (0xD5, 0x5E, 0x00)).all(axis=2).any()  # the line, in its role's colour
+
+
+def test_every_ingredient_can_be_drawn():
+    disk = Line([[0, 0], [9, 0], [9, 9]], "ray", closed=True, fill=0.4, dashed=True)
+    labels = tuple(Label("x", (40, 30), "ink", anchor) for anchor in ("start", "middle", "end"))
+    probe = Probe("angle", "°", np.zeros((2, 2)))
+    sketch = Picture("Sketch", "", (80, 60), None, (disk,), labels, (probe,), pixels=True)
+    assert still(Frame((sketch, sketch), (READING,) * 7))[:4] == b"\x89PNG"
+
+
+@pytest.mark.parametrize("image", [GREY / 255, GREY[:, :, 0], GREY[:50]])
+def test_errors(image):
+    with pytest.raises(ValueError, match=r"Street: expected a uint8 image of shape \(60, 80, 3\)"):
+        Picture("Street", "", (80, 60), image)

@@ -1,0 +1,66 @@
+import cv2
+import numpy as np
+import pytest
+
+from course_lib.drawing.explorers import Frame, Label, Line, Picture, Probe, Readout
+from course_lib.widgets.messages import encode_frame, jpeg, rgba
+
+GRADIENT = np.stack(np.broadcast_arrays(np.arange(60)[None], np.arange(40)[:, None], 200), axis=2)
+PHOTOGRAPH = Picture("Photograph", "a gradient", (60, 40), GRADIENT.astype(np.uint8))
+ROOF = Line([[0, 40], [30, 10], [np.nan, np.nan], [60, 40], [30, 10]], "ray", 2.5, dashed=True)
+ANGLES = Probe("angle", "°", np.arange(12.0).reshape(3, 4))
+SKETCH = Picture("Sketch", "a roof", (60, 40), lines=(ROOF,), labels=(Label("roof", (30, 8)),))
+
+
+def numbers(message, buffers, place):
+    return np.frombuffer(buffers[0], "<f4")[place["start"] : place["start"] + place["count"]]
+
+
+def test_points_and_grids_arrive_as_they_were():
+    read = Picture("Read", "angles", (60, 40), lines=(ROOF, ROOF), probes=(ANGLES,))
+    message, buffers = encode_frame(Frame((SKETCH, read)))
+    for line in (message["pictures"][0]["lines"][0], message["pictures"][1]["lines"][1]):
+        np.testing.assert_array_equal(
+            numbers(message, buffers, line["points"]), np.ravel(ROOF.points)
+        )
+        assert (line["role"], line["width"], line["dashed"]) == ("ray", 2.5, True)
+    probe = message["pictures"][1]["probes"][0]
+    assert probe["shape"] == [3, 4]
+    np.testing.assert_array_equal(numbers(message, buffers, probe["values"]), np.arange(12))
+
+
+def test_a_photograph_arrives_as_jpeg_in_the_right_colours():
+    message, buffers = encode_frame(Frame((SKETCH, PHOTOGRAPH)))
+    assert [p["image"] for p in message["pictures"]] == [None, 1]
+    assert not message["raw"]
+    decoded = cv2.imdecode(np.frombuffer(buffers[1], np.uint8), cv2.IMREAD_COLOR_RGB)
+    assert np.abs(decoded.astype(int) - GRADIENT).max() <= 6
+
+
+def test_a_photograph_arrives_as_bytes_exactly():
+    message, buffers = encode_frame(Frame((PHOTOGRAPH,)), raw=True)
+    assert message["raw"]
+    pixels = np.frombuffer(buffers[1], np.uint8).reshape(40, 60, 4)
+    np.testing.assert_array_equal(pixels[..., :3], GRADIENT)
+    assert (pixels[..., 3] == 255).all()
+
+
+def test_a_photograph_that_stays_is_not_sent_again():
+    other = Picture("Other", "", (60, 40), GRADIENT.astype(np.uint8))
+    before, now = Frame((PHOTOGRAPH, other)), Frame((PHOTOGRAPH, PHOTOGRAPH))
+    message, buffers = encode_frame(now, before=before)
+    assert [p["image"] for p in message["pictures"]] == ["same", 1]
+    assert len(buffers) == 2
+
+
+def test_readouts_keep_value_and_unit_together():
+    frame = Frame((SKETCH,), (Readout("Field", "θ", "65.5", "°"), Readout("Blur", "", "1.0", "mm")))
+    message, _ = encode_frame(frame)
+    assert [r["quantity"] for r in message["readouts"]] == ["65.5°", "1.0 mm"]
+
+
+@pytest.mark.parametrize("encode", [jpeg, rgba])
+def test_encoding_leaves_the_picture_alone(encode):
+    picture = GRADIENT.astype(np.uint8)
+    encode(picture)
+    np.testing.assert_array_equal(picture, GRADIENT)
