@@ -44,7 +44,7 @@ def degrees_between(a, b):
 def test_edges_in_the_lesson_are_those_tested_here():
     for edge in (TOP, LOWER, LEFT, RIGHT):
         says(str(edge))
-    says("f, c = 994.978, np.array([311.193, 254.877])", "193.001", "31.086")
+    says("f_photo, c_photo = 994.978, np.array([311.193, 254.877])", "193.001", "31.086")
 
 
 @pytest.mark.parametrize("edge", [TOP, LOWER, LEFT, RIGHT], ids=["top", "lower", "left", "right"])
