@@ -8,6 +8,7 @@ nothing of a term's secret.
 from __future__ import annotations
 
 import copy
+import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -30,7 +31,7 @@ from course_lib.judging import (
     judge,
     pose,
 )
-from data_generators.mishaps import NOISES, TROUBLES
+from data_generators.mishaps import ENDS, NOISES, TROUBLES
 
 Solutions = Mapping[str, Callable[..., Any]]
 #: Seeds on which a wrong answer's points are found; they must agree on all of them.
@@ -202,14 +203,18 @@ def _misconceived(simulation: Simulation) -> Iterator[Submission]:
 
 
 def _troubled(simulation: Simulation) -> Iterator[Submission]:
+    functions = [e for e in simulation.exercises if not isinstance(e, ValuesExercise)]
     for student, mishaps, kept in (("troubled", TROUBLES, 0.0), ("noisy", NOISES, 1.0)):
-        typed = {}
-        for k, exercise in enumerate(simulation.exercises):
-            if isinstance(exercise, ValuesExercise):
-                continue
-            happens = list(mishaps.values())[k % len(mishaps)]
-            typed[exercise.name] = Typed(happens(exercise), kept * exercise.points)
+        happens = itertools.cycle(mishaps.values())
+        typed = {e.name: Typed(next(happens)(e), kept * e.points) for e in functions}
         yield simulation.hand_in(student, typed)
+    for student, ends in ENDS.items():
+        typed = {e.name: right(e) for e in simulation.exercises}
+        last = functions[2]
+        typed[last.name] = Typed(ends(last), 0.0)
+        after = simulation.exercises[simulation.exercises.index(last) :]
+        lost = {e.name: Typed(typed[e.name].source, 0.0) for e in after}
+        yield simulation.hand_in(student, typed | lost)
 
 
 def _damaged(simulation: Simulation) -> Iterator[Submission]:

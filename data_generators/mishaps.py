@@ -72,10 +72,16 @@ NOISES: Mapping[str, Mishap] = {
     "warns": _before("import warnings", "warnings.warn('this is only a draft')"),
     "writes to stderr": _before("import sys", "print('careful', file=sys.stderr)"),
     "logs": _logs,
-    "divides by zero": _before("np.float64(1) / 0"),
+    "leaves": _outside("exit()"),
     "shows a picture": _before(
         "from IPython.display import display", "display({'text/plain': 'a plot'}, raw=True)"
     ),
     "prints in the cell": _outside("for step in range(20_000):", "    print('step', step)"),
     "fails in the cell": _outside("1 / 0"),
+}
+
+#: Right answers with something in the cell that makes it impossible to grade what follows.
+ENDS: Mapping[str, Mishap] = {
+    "killed": _outside("import os", "os._exit(1)"),
+    "check-replaced": _outside("def check(name):", "    return 4.0"),
 }

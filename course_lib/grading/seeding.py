@@ -9,11 +9,18 @@ import secrets
 from pathlib import Path
 from typing import Any
 
+from nbclient.exceptions import DeadKernelError
 from nbformat import NotebookNode
 from nbgrader.preprocessors import Execute
-from traitlets import Unicode
+from nbgrader.utils import is_grade
+from traitlets import List, Unicode
 
+from course_lib.grading.verdicts import STOPPED, no_points
 from course_lib.notebook import GRADING_SEED
+
+#: Without it, exit() in a cell ends the kernel a tenth of a second later, and the score depends on
+#: how many cells are faster than that.
+NO_EXIT = "--IPKernelApp.exec_lines=get_ipython().ask_exit = lambda: None"
 
 
 def write_key(path: Path) -> None:
@@ -83,6 +90,7 @@ class ExecuteWithSeed(Execute):  # type: ignore[misc]
     """
 
     key_file = Unicode(help="The file with the term's key.").tag(config=True)
+    extra_arguments = List([NO_EXIT]).tag(config=True)
 
     def preprocess(
         self, nb: NotebookNode, resources: dict[str, Any], km: Any = None
@@ -92,7 +100,16 @@ class ExecuteWithSeed(Execute):  # type: ignore[misc]
         seed = grading_seed(read_key(Path(self.key_file)), who["student"], who["assignment"])
         os.environ[GRADING_SEED] = seed
         try:
-            executed: tuple[NotebookNode, dict[str, Any]] = super().preprocess(nb, resources, km)
+            super().preprocess(nb, resources, km)  # changes the notebook in place
+        except DeadKernelError:
+            self.log.warning("The submission of %s stopped its own kernel", who["student"])
+            _say_what_was_not_reached(nb)
         finally:
             del os.environ[GRADING_SEED]
-        return executed
+        return nb, resources
+
+
+def _say_what_was_not_reached(nb: NotebookNode) -> None:
+    for cell in nb.cells:
+        if cell.cell_type == "code" and is_grade(cell) and not cell.outputs:
+            cell.outputs = [no_points("PythonStopped", STOPPED)]

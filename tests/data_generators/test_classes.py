@@ -6,7 +6,7 @@ from small_course import write_course
 from course_lib.authoring.building import build
 from course_lib.authoring.expansion import grade_id
 from course_lib.exercises import all_exercises, find
-from course_lib.judging import Exercise
+from course_lib.judging import Exercise, ValuesExercise
 from data_generators import classes
 from data_generators.classes import expected_points, simulate_class, write_submissions
 from data_generators.mishaps import NOISES, TROUBLES
@@ -80,6 +80,14 @@ def test_mishaps_are_code_about_the_exercise(mishaps):
         assert "def project_pinhole(points, f, c):" in source
         if name != "syntax error":
             compile(source, name, "exec")
+
+
+@pytest.mark.parametrize(("student", "mishaps"), [("troubled", TROUBLES), ("noisy", NOISES)])
+def test_every_mishap_occurs(submissions, student, mishaps):
+    functions = [e for e in EXERCISES if not isinstance(e, ValuesExercise)]
+    typed = set(cells(submissions[student]).values())
+    for happens in mishaps.values():
+        assert any(happens(exercise) in typed for exercise in functions)
 
 
 def test_submissions_go_where_nbgrader_looks(tmp_path, submissions):

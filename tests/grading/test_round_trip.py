@@ -12,6 +12,7 @@ from small_course import run
 
 from course_lib.authoring.expansion import check_id
 from course_lib.exercises import all_exercises, find
+from course_lib.grading import verdicts
 from course_lib.grading.seeding import grading_seed, read_key
 from course_lib.judging import Exercise, ValuesExercise, pose, seed_for
 from course_lib.judging.text import format_value
@@ -23,7 +24,16 @@ EXERCISES = [e for e in all_exercises("pinhole") if isinstance(e, Exercise)]
 TOTAL = sum(e.points for e in EXERCISES)
 KINDS = [
     *("right", "rewritten", "half-done", "untouched", "troubled", "noisy"),
-    *("deleted-cells", "copied-out", "other-kernel", "cut-off", "empty-file", "renamed"),
+    *(
+        "killed",
+        "check-replaced",
+        "deleted-cells",
+        "copied-out",
+        "other-kernel",
+        "cut-off",
+        "empty-file",
+        "renamed",
+    ),
     *(f"misconception-{k}" for k in range(1, 7)),
 ]
 
@@ -43,7 +53,8 @@ def scores(graded):
 
 def feedback(graded, student):
     path = graded.term / "feedback" / student / ASSIGNMENT / f"{ASSIGNMENT}.html"
-    return path.read_text(encoding="utf-8")
+    page = path.read_text(encoding="utf-8")
+    return re.sub(r"<(style|script)\b.*?</\1>", "", page, flags=re.DOTALL)  # numbers of the layout
 
 
 def test_the_class_is_complete(graded):
@@ -74,6 +85,14 @@ def test_what_cannot_be_graded_costs_itself_only(graded):
         r"error processing assignment '\S+' for student '(.+)'", graded.autograde.stderr
     )
     assert sorted(failed) == ["cut-off", "empty-file", "renamed"]
+
+
+@pytest.mark.parametrize(
+    ("student", "reason"),
+    [("killed", verdicts.STOPPED), ("check-replaced", verdicts.REPLACED)],
+)
+def test_feedback_says_why_a_check_could_not_be_run(graded, student, reason):
+    assert reason in html.unescape(feedback(graded, student))
 
 
 def test_words_wait_for_a_person_unless_there_are_none(graded):

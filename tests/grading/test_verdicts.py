@@ -1,11 +1,11 @@
+import pytest
 from nbformat.v4 import new_code_cell, new_output
 from nbgrader.utils import determine_grade
 
-from course_lib.grading.verdicts import KeepVerdicts
+from course_lib.grading.verdicts import REPLACED, KeepVerdicts
 from course_lib.judging import answer, judge, pose
 from course_lib.judging.html import to_html
 
-VERDICT = new_output("display_data", data={"text/html": "placeholder"})
 SCORE = new_output("execute_result", data={"text/plain": "3.0"}, execution_count=1)
 STDERR = new_output("stream", name="stderr", text="f = 12.5")
 STDOUT = new_output("stream", name="stdout", text="f = 12.5")
@@ -37,7 +37,7 @@ def test_keeps_what_the_check_says():
 
 
 def test_stray_stderr_would_cost_all_points():
-    cell = cell_of(STDERR, SCORE)
+    cell = cell_of(STDERR, verdict_output(), SCORE)
     assert determine_grade(cell) == (0, 4)
     kept(cell)
     assert determine_grade(cell) == (3, 4)
@@ -46,6 +46,21 @@ def test_stray_stderr_would_cost_all_points():
 def test_errors_stay():
     error = new_output("error", ename="NameError", evalue="check", traceback=[])
     assert kept(cell_of(error)) == [error]
+
+
+@pytest.mark.parametrize("outputs", [[], [SCORE], [STDOUT, SCORE], [PICTURE, SCORE], [PICTURE]])
+def test_a_check_that_is_not_the_courses_earns_nothing(outputs):
+    cell = cell_of(*outputs)
+    (error,) = kept(cell)
+    assert error.evalue == REPLACED
+    assert determine_grade(cell) == (0, 4)
+
+
+@pytest.mark.parametrize(("shown", "points"), [("2.5", 2.5), ("np.float64(2.5)", 4), ("<b>", 4)])
+def test_nbgrader_reads_plain_numbers_only(shown, points):
+    """The trap: what is not a plain number counts as full marks."""
+    result = new_output("execute_result", data={"text/plain": shown}, execution_count=1)
+    assert determine_grade(cell_of(result)) == (points, 4)
 
 
 def test_other_cells_are_left_alone():
