@@ -118,6 +118,7 @@ def test_house_shows_the_students_points_when_there_are_any():
     assert not lines(draw.house_picture(corners, 800, C), "second")
     drawn = lines(draw.house_picture(corners, 800, C, yours=pixels + 3), "second")
     np.testing.assert_allclose(drawn[-1], pixels + 3)
+    np.testing.assert_allclose(drawn[0], pixels[[0, 1]] + 3)
     assert len(drawn) == 15 + 1  # edges, and the corners
 
 

@@ -1,0 +1,66 @@
+"""The small pieces that the still figures are drawn with."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+
+from course_lib.drawing import diagrams
+from course_lib.drawing.style import RC
+
+
+@pytest.fixture
+def ax():
+    fig, ax = plt.subplots()
+    yield ax
+    plt.close(fig)
+
+
+def test_figure_is_drawn_in_the_courses_style_and_closed():
+    @diagrams.figure
+    def example(size):
+        """Say something."""
+        fig, _ = diagrams.panels(1, 1, (size, 2))
+        assert plt.rcParams["font.size"] == RC["font.size"]
+        return fig
+
+    before = plt.rcParams["font.size"]
+    assert example(3).get_size_inches().tolist() == [3, 2]
+    assert plt.rcParams["font.size"] == before
+    assert not plt.get_fignums()
+    assert (example.__name__, example.__doc__) == ("example", "Say something.")
+
+
+@pytest.mark.parametrize("height", [2.0, -2.0])
+def test_tree_stands_on_its_foot_or_on_its_head(ax, height):
+    diagrams.tree(ax, (1, 3), height)
+    points = np.vstack([patch.get_xy() for patch in ax.patches])
+    tip = points[np.abs(points[:, 1] - 3).argmax()]
+    np.testing.assert_allclose(tip, (1, 3 + height))
+
+
+def test_hole_in_a_wall_leaves_the_hole_open(ax):
+    diagrams.hole_in_wall(ax, x=2, d=0.5, reach=3, thickness=0.2)
+    spans = [collection.get_datalim(ax.transData).intervaly for collection in ax.collections]
+    assert sorted(span.tolist() for span in spans) == [[-3, -0.25], [0.25, 3]]
+
+
+def test_dimension_has_its_label_in_the_middle(ax):
+    diagrams.dimension(ax, (0, 1), (4, 1), "f")
+    assert ax.texts[-1].get_position() == (2, 1)
+    assert ax.texts[-1].get_text() == "f"
+
+
+def test_picture_frame_has_the_middle_of_pixel_0_at_0(ax):
+    diagrams.picture_frame(ax, (640, 480))
+    assert ax.get_xlim() == (-0.5, 639.5)
+    assert ax.get_ylim() == (479.5, -0.5)
+
+
+@pytest.mark.parametrize("yours", [None, [1, 2], "left", {}, [[1, 2], [3]], 4])
+def test_other_shapes_are_not_drawn(yours):
+    assert diagrams.same_shape(yours, np.zeros((2, 2))) is None
+
+
+def test_the_same_shape_is_drawn():
+    drawn = diagrams.same_shape([[1, 2], [3, 4]], np.zeros((2, 2)))
+    np.testing.assert_array_equal(drawn, [[1, 2], [3, 4]])
