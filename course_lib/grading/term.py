@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import sys
+import sysconfig
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -104,7 +106,8 @@ def make_term(term: Term, root: Path) -> None:
         "exchange": str(term.exchange),
         "key_name": KEY_NAME,
         "chapters": ", ".join(f"`{name}`" for name in term.chapters),
-        "first": term.chapters[0],
+        "first": next((c for c in term.chapters if c not in NOT_GRADED), term.chapters[0]),
+        "activate": _activation(Path(sysconfig.get_path("scripts"))),
     }
     for template, name in (("term_config", "nbgrader_config.py"), ("term_readme", "README.md")):
         text = Path(__file__).with_name(f"{template}.txt").read_text(encoding="utf-8")
@@ -112,3 +115,10 @@ def make_term(term: Term, root: Path) -> None:
     if term.exchange.is_relative_to(term.directory):
         term.exchange.mkdir()
     write_key(term.directory / KEY_NAME)
+
+
+def _activation(scripts: Path) -> str:
+    """Return the command that puts this environment's programs on the path."""
+    if not (scripts / "activate").exists():
+        return f"conda activate {sys.prefix}"
+    return f'"{scripts}\\activate"' if sys.platform == "win32" else f"source '{scripts}/activate'"

@@ -1,4 +1,8 @@
+import re
 import stat
+import subprocess
+import sys
+from pathlib import Path
 
 import nbformat
 import pytest
@@ -45,6 +49,16 @@ def test_readme_names_this_terms_commands(term):
     assert "$" not in text
     for command in ("generate_assignment", "release_assignment", "collect", "autograde"):
         assert f"nbgrader {command} 01_pinhole" in text
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="asks a POSIX shell")
+def test_readme_says_how_to_get_at_the_commands(term):
+    text = (term.directory / "README.md").read_text(encoding="utf-8")
+    command = re.search(r"```\n(.*activate.*)\n```", text)[1]
+    if command.startswith("source"):
+        shell = ["bash", "-c", f"{command} && command -v nbgrader"]
+        found = subprocess.run(shell, capture_output=True, text=True, check=True).stdout
+        assert found.strip() == str(Path(sys.executable).with_name("nbgrader"))
 
 
 def test_course_id_is_made_of_the_directorys_name(term):
