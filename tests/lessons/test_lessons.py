@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from pathlib import Path
 
 import nbformat
@@ -12,7 +13,7 @@ from course_lib.authoring.building import find_lessons, release
 from course_lib.authoring.expansion import expand
 from course_lib.authoring.lesson import read_lesson
 from course_lib.exercises import all_exercises
-from course_lib.judging import Exercise
+from course_lib.judging import Exercise, ValuesExercise
 
 ROOT = Path(__file__).parents[2]
 LESSONS = find_lessons(ROOT)
@@ -57,6 +58,33 @@ def test_runs_before_anything_is_answered(path: Path, tmp_path: Path) -> None:
     assert not [out for out in outputs(notebook) if out.output_type == "error"]
     assert not [out.text for out in outputs(notebook) if out.get("name") == "stderr"]
     assert set(points(notebook).values()) == {0.0}
+
+
+def assigned(source: str) -> set[str]:
+    """Return the names that a cell gives a value to."""
+    names = {node.id for node in ast.walk(ast.parse(source)) if is_target(node)}
+    functions = (ast.FunctionDef, ast.ClassDef)
+    return names | {
+        node.name for node in ast.walk(ast.parse(source)) if isinstance(node, functions)
+    }
+
+
+def is_target(node: ast.AST) -> bool:
+    return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
+
+
+@pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
+def test_no_cell_overwrites_an_answer(path: Path) -> None:
+    lesson = read_lesson(path)
+    answers = set()
+    for exercise in all_exercises(lesson.chapter):
+        if isinstance(exercise, ValuesExercise):
+            answers |= set(exercise.units)
+        elif isinstance(exercise, Exercise):
+            answers.add(exercise.function_name)
+    for cell in lesson.cells:
+        if cell.role == "code":
+            assert not assigned(cell.source) & answers, f"{path.name}:{cell.line}"
 
 
 @pytest.mark.parametrize("path", LESSONS[1:], ids=lambda path: path.stem)  # 00 is not graded
