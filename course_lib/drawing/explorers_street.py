@@ -46,14 +46,15 @@ def upright_camera(
     f : float
         Focal length, mm.
     sensor_size : tuple of float
-        Width and height, mm; the picture is `WIDTH` px wide and has the sensor's shape.
+        Width and height, mm; the picture is `WIDTH` px wide and has the sensor's shape,
+        to the next even height.
 
     Returns
     -------
     Camera
         The camera.
     """
-    size = (WIDTH, round(WIDTH * sensor_size[1] / sensor_size[0]))
+    size = (WIDTH, 2 * round(WIDTH * sensor_size[1] / sensor_size[0] / 2))
     K = first_guess_intrinsics(f, sensor_size, size)
     return Camera(K, NORTH, -NORTH @ np.asarray(eye), size)
 

@@ -91,7 +91,7 @@ def test_a_control_follows_when_the_frame_says_so(explorer):
 def test_a_photograph_that_stays_is_sent_to_a_new_view_only(explorer):
     first, buffers = explorer.hear(view="a", seq=1, raw=True)
     assert [p["image"] for p in first["pictures"]] == [1, 2]
-    assert len(buffers[2]) == 40 * 30 * 4
+    assert len(buffers[2]) == 40 * 30 * 3 // 2
     later, _ = explorer.hear(view="a", seq=2, raw=True, state={"f": 60})
     assert [p["image"] for p in later["pictures"]] == [1, "same"]
     again, _ = explorer.hear(view="b", seq=1, raw=True)
