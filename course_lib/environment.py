@@ -11,7 +11,7 @@ from importlib import metadata
 
 from packaging.requirements import Requirement
 
-from course_lib.notebook import show_block
+from course_lib.display import show_block
 
 DISTRIBUTION = "camera-course"
 #: Packages that hold compiled code: seeing them installed is not enough, they must load.

@@ -223,19 +223,3 @@ def _student(environment: Mapping[str, str] = os.environ) -> str:
         return named or getpass.getuser()
     except (KeyError, OSError, ImportError):  # no user name on this system
         return "reader"
-
-
-def show_block(html: str, text: str) -> None:
-    """Show a block as HTML in a notebook, as text in a terminal.
-
-    Parameters
-    ----------
-    html, text : str
-        The same content twice.
-    """
-    if "ipykernel" in sys.modules:
-        from IPython.display import display
-
-        display({"text/html": html, "text/plain": text}, raw=True)
-    else:
-        print(text)

@@ -27,7 +27,8 @@ MAY_IMPORT = {
     "course_lib.drawing": {"data_generators"},
     "course_lib.exercises": {"course_lib.judging", "course_lib.drawing"},
     "course_lib.widgets": {"course_lib.drawing", "data_generators"},
-    "course_lib.notebook": {"course_lib.judging", "course_lib.exercises"},
+    "course_lib.environment": {"course_lib.display"},
+    "course_lib.notebook": {"course_lib.judging", "course_lib.exercises", "course_lib.display"},
     "course_lib.authoring": {"course_lib.judging", "course_lib.exercises", "course_lib.notebook"},
     "course_lib.grading": {
         "course_lib.judging",
