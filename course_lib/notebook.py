@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from course_lib.display import show_block
 from course_lib.exercises import all_exercises, find
 from course_lib.judging import Exercise, ValuesExercise, Verdict, answer, judge, pose, seed_for
 from course_lib.judging.html import to_html
@@ -54,7 +55,7 @@ def check(name: str, namespace: Mapping[str, Any] | None = None) -> float:
     if not isinstance(exercise, Exercise):
         raise ValueError(f"{name} is answered in words; a person reads and grades it")
     if namespace is None:
-        namespace = inspect.stack()[1].frame.f_globals
+        namespace = sys._getframe(1).f_globals
     verdict = verdict_of(exercise, namespace)
     if _validating() and verdict.points < verdict.possible:
         print(_wrapped(to_text(verdict)), file=sys.stderr)

@@ -1,4 +1,4 @@
-"""A cell that uses a student's function runs, whatever that function does."""
+"""What a notebook calls: checks that explain, cells that run whatever a student wrote."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 import course_lib
 from course_lib.camera import project_pinhole as course_project
-from course_lib.notebook import attempt, attempt_each
+from course_lib.notebook import attempt, attempt_each, check, solution
 
 POINTS = [[0.0, 0.0, 2.0], [0.5, -0.25, 2.0]]
 
@@ -104,3 +104,40 @@ def test_a_function_that_is_no_exercise_is_taken_as_it_is() -> None:
 
 def test_the_package_offers_it() -> None:
     assert course_lib.attempt is attempt
+
+
+def test_check_shows_the_verdict_and_returns_a_plain_float(capsys):
+    def half(image_size):
+        return np.array(image_size) / 2
+
+    points = check("welcome.image_centre", {"image_centre": half})
+    assert type(points) is float
+    assert points == 0
+    text = capsys.readouterr().out
+    assert "0 of 2 points" in text
+    assert "Hint: A picture 3 pixels wide" in text
+
+
+def test_check_finds_the_answer_among_the_caller_s_variables(capsys):
+    source = "def image_centre(size): return [(n - 1) / 2 for n in size]\npoints = check(name)"
+    cell = {"check": check, "name": "welcome.image_centre"}
+    exec(source, cell)
+    assert cell["points"] == 2
+    assert "2 of 2 points" in capsys.readouterr().out
+
+
+def test_check_of_a_question_in_words_says_who_grades_it():
+    with pytest.raises(ValueError, match="a person reads and grades it"):
+        check("pinhole.explain_flat_faces")
+
+
+def test_check_of_an_unknown_exercise_names_similar_ones():
+    with pytest.raises(ValueError, match=r"did you mean pinhole\.dolly_zoom"):
+        check("pinhole.doly_zoom")
+
+
+def test_solution_shows_the_course_s_own_source(capsys):
+    solution("pinhole.dolly_zoom")
+    assert "return f * Z_new / Z" in capsys.readouterr().out
+    solution("pinhole.explain_flat_faces")
+    assert "one factor" in capsys.readouterr().out
