@@ -1,10 +1,9 @@
-// The front end of every explorer: native controls, pictures, and what follows the pointer.
-// It draws what Python sends and knows no formula of the course.
+// The front end of every explorer: its controls, and the talk with Python. Joined with picture.js,
+// which draws; neither knows a formula of the course.
 
 const IN_FLIGHT = 2; // states on their way to Python at most; the newest one waits behind them
 // Decoding a JPEG waits for a turn of the main thread; on the same machine plain bytes are faster.
 const LOCAL = ["localhost", "127.0.0.1", "[::1]"].includes(window.location.hostname) && "VideoFrame" in window;
-const BT601 = { matrix: "smpte170m", primaries: "bt709", transfer: "iec61966-2-1", fullRange: false };
 const PATIENCE = 2000; // ms without an answer before the reader is told
 
 export default { render };
@@ -129,12 +128,6 @@ function keepKey(event) {
 
 // Elements ------------------------------------------------------------------------------------
 
-function make(tag, properties = {}, ...children) {
-  const element = Object.assign(document.createElement(tag), properties);
-  element.append(...children);
-  return element;
-}
-
 const newId = () => `ce-${Math.random().toString(36).slice(2)}`;
 
 function labelled(control, id) {
@@ -220,177 +213,4 @@ function showNumbers(list, readouts) {
     make("dt", {}, r.label, " ", make("i", { textContent: r.symbol })),
     make("dd", { textContent: r.quantity, label: r.label })));
   list.replaceChildren(...items);
-}
-
-function rewrite(element, text) {
-  if (element.textContent !== text) element.textContent = text;
-}
-
-// Pictures ------------------------------------------------------------------------------------
-
-const decode = (data) => createImageBitmap(new Blob([data], { type: "image/jpeg" }));
-
-function unpacked(picture, buffers) {
-  const data = buffers[picture.image];
-  const [codedWidth, codedHeight] = picture.size;
-  const frame = new VideoFrame(data, { format: "I420", codedWidth, codedHeight, timestamp: 0, colorSpace: BT601 });
-  const canvas = new OffscreenCanvas(codedWidth, codedHeight);
-  canvas.getContext("2d").drawImage(frame, 0, 0);
-  frame.close();
-  return canvas;
-}
-
-function aligned(view) {
-  return new Float32Array(view.buffer.slice(view.byteOffset, view.byteOffset + view.byteLength));
-}
-
-function figure() {
-  const canvas = make("canvas", { className: "ce-canvas", role: "img", tabIndex: 0 });
-  const cross = make("canvas", { className: "ce-cross", ariaHidden: true });
-  const title = make("figcaption");
-  const reading = make("p", { className: "ce-reading", ariaLive: "polite" });
-  const box = make("div", { className: "ce-box" }, canvas, cross);
-  const element = make("figure", { className: "ce-figure" }, title, box, reading);
-  let picture = null, photograph = null, floats = null, pointer = null, width = 0;
-  let style = null; // colours by role and the font; asking the page for them is slow
-  const size = new ResizeObserver(([entry]) => {
-    width = entry.contentRect.width;
-    draw();
-  });
-  size.observe(box);
-
-  function fit(layer) {
-    const dense = window.devicePixelRatio || 1;
-    const [w, h] = [Math.round(width * dense), Math.round((width * dense * picture.size[1]) / picture.size[0])];
-    if (layer.width !== w || layer.height !== h) Object.assign(layer, { width: w, height: h });
-    const context = layer.getContext("2d");
-    const scale = w / picture.size[0];
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.clearRect(0, 0, w, h);
-    context.setTransform(scale, 0, 0, scale, 0.5 * scale, 0.5 * scale); // pixel (0, 0) is a centre
-    return context;
-  }
-
-  function draw() {
-    if (!picture || !width) return;
-    style ??= styleOf(box);
-    const context = fit(canvas);
-    if (photograph) context.drawImage(photograph, -0.5, -0.5, ...picture.size);
-    for (const line of picture.lines) stroke(context, line, floats, style, Boolean(photograph));
-    for (const label of picture.labels) write(context, label, style, picture.size[0] / width, Boolean(photograph));
-    point(pointer);
-  }
-
-  const readable = () => picture.pixels || picture.probes.length > 0;
-
-  function point(at) {
-    pointer = at;
-    const context = fit(cross);
-    if (!at || !readable()) {
-      rewrite(reading, readable() ? "Point at the picture to read it." : "");
-      return;
-    }
-    const [w, h] = picture.size;
-    const [u, v] = (pointer = [Math.min(Math.max(at[0], 0), w - 1), Math.min(Math.max(at[1], 0), h - 1)]);
-    for (const [lineWidth, strokeStyle] of [[3, "rgba(0,0,0,.55)"], [1, "#fff"]]) {
-      Object.assign(context, { lineWidth: (lineWidth * w) / width, strokeStyle });
-      context.beginPath();
-      context.moveTo(u, -0.5); context.lineTo(u, h - 0.5);
-      context.moveTo(-0.5, v); context.lineTo(w - 0.5, v);
-      context.stroke();
-    }
-    const texts = picture.pixels ? [`(u, v) = (${u.toFixed(0)}, ${v.toFixed(0)}) px`] : [];
-    for (const probe of picture.probes) {
-      const value = interpolate(probe, floats, u / (w - 1), v / (h - 1));
-      if (Number.isFinite(value)) texts.push(`${probe.label} ${value.toFixed(probe.digits)}${probe.gap}${probe.unit}`);
-    }
-    rewrite(reading, texts.join("  ·  "));
-  }
-
-  cross.addEventListener("pointermove", (event) => {
-    if (!picture) return;
-    const scale = picture.size[0] / width;
-    point([event.offsetX * scale - 0.5, event.offsetY * scale - 0.5]);
-  });
-  cross.addEventListener("pointerleave", () => { if (picture) point(null); });
-  canvas.addEventListener("blur", () => { if (picture) point(null); });
-  canvas.addEventListener("keydown", (event) => {
-    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
-    if (!step || !picture) return;
-    event.preventDefault();
-    const from = pointer ?? picture.size.map((n) => Math.floor(n / 2));
-    point(from.map((x, i) => x + step[i] * (event.shiftKey ? 10 : 1)));
-  });
-
-  return {
-    element,
-    restyle() { style = null; draw(); },
-    remove() { size.disconnect(); },
-    show(next, bitmap, numbers) {
-      [picture, floats] = [next, numbers];
-      if (bitmap !== "same") photograph = bitmap;
-      box.classList.toggle("ce-photograph", Boolean(photograph));
-      rewrite(title, picture.title);
-      canvas.ariaLabel = picture.alt;
-      element.style.setProperty("--ce-width", `${picture.size[0]}px`);
-      element.style.setProperty("--ce-share", picture.size[0]);
-      reading.classList.toggle("ce-readable", readable());
-      box.style.aspectRatio = picture.size.join(" / ");
-      draw();
-    },
-  };
-}
-
-function styleOf(element) {
-  const computed = getComputedStyle(element);
-  const colours = {};
-  const ink = (role) => (colours[role] ??= computed.getPropertyValue(`--ce-${role}`).trim());
-  return { ink, font: computed.fontFamily };
-}
-
-function stroke(context, line, floats, { ink }, onPhotograph) {
-  const { start, count } = line.points;
-  const path = new Path2D();
-  let down = false;
-  for (let i = start; i < start + count; i += 2) {
-    const [u, v] = [floats[i], floats[i + 1]];
-    if (Number.isNaN(u)) down = false; // a NaN row lifts the pen
-    else if (down) path.lineTo(u, v);
-    else { path.moveTo(u, v); down = true; }
-  }
-  if (line.closed) path.closePath();
-  Object.assign(context, { lineJoin: "round", lineCap: "round", fillStyle: ink(line.role) });
-  context.setLineDash(line.dashed ? [5, 5] : []);
-  if (line.fill) {
-    context.globalAlpha = line.fill;
-    context.fill(path);
-    context.globalAlpha = 1;
-  }
-  if (!line.width) return;
-  if (onPhotograph) {
-    Object.assign(context, { lineWidth: line.width + 2, strokeStyle: "rgba(255,255,255,.7)" });
-    context.stroke(path);
-  }
-  Object.assign(context, { lineWidth: line.width, strokeStyle: ink(line.role) });
-  context.stroke(path);
-}
-
-function write(context, label, { ink, font }, scale, onPhotograph) {
-  context.font = `${12 * scale}px ${font}`;
-  context.textAlign = label.anchor === "middle" ? "center" : label.anchor;
-  context.textBaseline = "middle";
-  context.setLineDash([]);
-  Object.assign(context, { lineWidth: 4 * scale, strokeStyle: onPhotograph ? "rgba(255,255,255,.8)" : ink("paper") });
-  context.strokeText(label.text, ...label.at);
-  context.fillStyle = ink(label.role);
-  context.fillText(label.text, ...label.at);
-}
-
-function interpolate(probe, floats, x, y) {
-  const [rows, columns] = probe.shape;
-  const [gx, gy] = [x * (columns - 1), y * (rows - 1)];
-  const [c, r] = [Math.min(Math.floor(gx), columns - 2), Math.min(Math.floor(gy), rows - 2)];
-  const [s, t] = [gx - c, gy - r];
-  const at = (i, j) => floats[probe.values.start + i * columns + j];
-  return (1 - t) * ((1 - s) * at(r, c) + s * at(r, c + 1)) + t * ((1 - s) * at(r + 1, c) + s * at(r + 1, c + 1));
 }

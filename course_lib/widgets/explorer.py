@@ -41,7 +41,7 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         If two controls have the same name.
     """
 
-    _esm = HERE / "explorer.js"
+    _esm = "\n".join((HERE / name).read_text("utf-8") for name in ("explorer.js", "picture.js"))
     _css = HERE / "explorer.css"
     spec = traitlets.Dict().tag(sync=True)
     first = traitlets.Dict().tag(sync=True)

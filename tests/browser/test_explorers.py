@@ -1,0 +1,214 @@
+"""The explorers of chapter 01 as a reader meets them."""
+
+import cv2
+import numpy as np
+import pytest
+from lab import run_all_cells, write_notebook
+
+EXPLORERS = {
+    "aperture": ("aperture_explorer", "The hole of a pinhole camera", "Hole diameter d"),
+    "focal": ("focal_length_explorer", "Focal length, sensor and field of view", "Focal length f"),
+    "dolly": ("dolly_zoom_explorer", "Dolly zoom", "Distance Z"),
+}
+CLUMSY = """
+from course_lib.drawing.explorers import Frame, Line, Picture
+from course_lib.widgets.controls import Slider
+from course_lib.widgets.explorer import Explorer
+
+def frame(n):
+    if n == 7:
+        raise ValueError("seven is not drawn; choose another")
+    return Frame((Picture("Square", f"n is {n:g}", (100, 80), lines=(Line([[0, 0], [n, n]]),)),))
+
+clumsy = Explorer("Clumsy", [Slider("n", "Number", "n", "", 1, 9, 6)], frame)
+clumsy
+"""
+
+
+@pytest.fixture(scope="module")
+def page(lab, lab_page):
+    cells = [f"{key} = {make}()\n{key}" for key, (make, _, _) in EXPLORERS.items()]
+    path = write_notebook(
+        lab.folder / "explorers.ipynb", "from course_lib.widgets.pinhole import *", *cells, CLUMSY
+    )
+    page = lab_page(path)
+    assert run_all_cells(page) == []
+    return page
+
+
+@pytest.fixture(params=EXPLORERS)
+def explorer(request, page):
+    _, title, slider = EXPLORERS[request.param]
+    root = page.get_by_role("region", name=title)
+    root.scroll_into_view_if_needed()
+    root.get_by_role("img").first.wait_for()
+    yield root, root.get_by_role("slider", name=slider)
+    root.get_by_role("button", name="Reset").click()
+    settle(root)
+
+
+def settle(root):
+    """Wait until no new frame arrives for a moment."""
+    page = root.page
+    while True:
+        frame = root.get_attribute("data-frame")
+        page.wait_for_timeout(200)
+        if root.get_attribute("data-frame") == frame:
+            return
+
+
+def pixels(picture):
+    png = np.frombuffer(picture.screenshot(), np.uint8)
+    return cv2.imdecode(png, cv2.IMREAD_COLOR).astype(int)
+
+
+def photograph(root):
+    settle(root)
+    return pixels(root.get_by_role("img").first)
+
+
+def drag(slider, *stops):
+    """Drag a slider's thumb from where it is over places of its track, 0 to 1; let go there."""
+    box = slider.bounding_box()
+    share = slider.evaluate("(s) => (s.value - s.min) / (s.max - s.min)")
+    mouse, middle = slider.page.mouse, box["y"] + box["height"] / 2
+    mouse.move(box["x"] + 9 + share * (box["width"] - 18), middle)
+    mouse.down()
+    for stop in stops:
+        mouse.move(box["x"] + stop * box["width"], middle, steps=25)
+    mouse.up()
+
+
+def test_it_appears_with_pictures_that_say_what_they_show(explorer):
+    root, _ = explorer
+    for picture in root.get_by_role("img").all():
+        assert len(picture.get_attribute("aria-label")) > 30
+        assert pixels(picture).std() > 5
+
+
+def test_every_control_has_a_name_and_a_value_with_its_unit(explorer):
+    root, slider = explorer
+    for control in root.get_by_role("slider").all():
+        name = control.evaluate("(c) => c.labels[0].innerText")
+        assert root.get_by_role("slider", name=name).count() == 1
+        text = control.get_attribute("aria-valuetext")
+        assert text.split()[1] in ("mm", "m")
+        assert text == control.evaluate(
+            "(c) => c.parentElement.querySelector('.ce-value').innerText"
+        )
+    assert slider.is_visible()
+
+
+def test_dragging_moves_the_picture_its_words_and_its_numbers(explorer):
+    root, slider = explorer
+    before, picture = photograph(root), root.get_by_role("img").first
+    words, numbers = picture.get_attribute("aria-label"), root.locator("dl").inner_text()
+    drag(slider, 0.8, 0.15)
+    assert (photograph(root) != before).mean() > 0.1
+    assert picture.get_attribute("aria-label") != words
+    assert root.locator("dl").inner_text() != numbers
+
+
+def test_a_drag_ends_with_the_picture_of_its_last_state(explorer):
+    root, slider = explorer
+    drag(slider, 0.1, 0.9, 0.1, 0.9, 0.45, 0.6)
+    dragged = photograph(root)
+    slider.press("ArrowRight")
+    assert (photograph(root) != dragged).any()
+    slider.press("ArrowLeft")
+    np.testing.assert_array_equal(photograph(root), dragged)
+
+
+def test_the_keyboard_moves_it_and_the_notebook_does_not_take_the_keys(explorer):
+    root, slider = explorer
+    cells = root.page.locator(".jp-Cell").count()
+    before, place = photograph(root), slider.input_value()
+    slider.focus()
+    for key in ("ArrowRight", "PageUp", "b"):  # b makes a new cell in the notebook
+        slider.page.keyboard.press(key)
+    assert int(slider.input_value()) > int(place) + 1
+    assert (photograph(root) != before).any()
+    slider.press("Home")
+    assert slider.input_value() == "0"
+    assert root.page.locator(".jp-Cell").count() == cells
+
+
+def test_reset_brings_the_first_picture_back(explorer):
+    root, slider = explorer
+    root.get_by_role("button", name="Reset").click()
+    before, text = photograph(root), slider.get_attribute("aria-valuetext")
+    slider.press("End")
+    assert (photograph(root) != before).any()
+    root.get_by_role("button", name="Reset").click()
+    np.testing.assert_array_equal(photograph(root), before)
+    assert slider.get_attribute("aria-valuetext") == text
+
+
+def test_the_pointer_reads_pixels_without_python(explorer):
+    root, _ = explorer
+    frame, picture = root.get_attribute("data-frame"), root.locator("figure").first
+    box = picture.locator("canvas").first.bounding_box()
+    root.page.mouse.move(box["x"] + box["width"] / 4, box["y"] + box["height"] / 2)
+    u = int(picture.locator(".ce-reading").inner_text().split("(")[2].split(",")[0])
+    assert abs(u - 480 / 4) <= 2
+    assert root.get_attribute("data-frame") == frame
+
+
+def test_the_keyboard_reads_pixels_too(page):
+    root = page.get_by_role("region", name=EXPLORERS["focal"][1])
+    picture = root.get_by_role("img").first
+    picture.press("ArrowRight")
+    reading = root.locator(".ce-reading").first
+    assert "(241, 160) px" in reading.inner_text()
+    picture.press("Shift+ArrowDown")
+    assert "(241, 170) px" in reading.inner_text()
+    assert "angle from the axis 1." in reading.inner_text()
+
+
+def test_choices_and_switches_change_the_picture(page):
+    focal = page.get_by_role("region", name=EXPLORERS["focal"][1])
+    before = photograph(focal)
+    focal.get_by_role("radiogroup", name="Sensor").get_by_role("radio", name="DX").check()
+    assert photograph(focal).shape != before.shape or (photograph(focal) != before).any()
+    dolly = page.get_by_role("region", name=EXPLORERS["dolly"][1])
+    follower = dolly.get_by_role("slider", name="Focal length f")
+    assert follower.is_disabled()
+    dolly.get_by_role("slider", name="Distance Z").press("End")
+    settle(dolly)
+    assert follower.get_attribute("aria-valuetext") == "175.0 mm"
+    dolly.get_by_role("checkbox").uncheck()
+    settle(dolly)
+    assert follower.is_enabled()
+    assert follower.get_attribute("aria-valuetext") == "175.0 mm"
+
+
+def test_an_error_is_said_and_the_next_picture_clears_it(page):
+    root = page.get_by_role("region", name="Clumsy")
+    slider = root.get_by_role("slider")
+    slider.press("ArrowRight")
+    status = root.get_by_role("status")
+    status.get_by_text("seven is not drawn; choose another").wait_for()
+    assert root.get_by_role("img").get_attribute("aria-label") == "n is 6"
+    slider.press("ArrowRight")
+    root.get_by_role("img", name="n is 8").wait_for()
+    assert status.inner_text() == ""
+
+
+def test_python_moves_the_page(page, lab, lab_page):
+    path = write_notebook(
+        lab.folder / "driven.ipynb",
+        "from course_lib.widgets.pinhole import *\ndriven = dolly_zoom_explorer()\ndriven",
+        "driven",
+        "driven.set(Z=20, coupled=False, f=50)",
+    )
+    driven = lab_page(path)
+    assert run_all_cells(driven) == []
+    sliders = driven.get_by_role("slider", name="Distance Z")
+    assert sliders.count() == 2  # two views of one explorer
+    for root in driven.get_by_role("region", name="Dolly zoom").all():
+        settle(root)
+        assert root.get_by_role("slider").first.get_attribute("aria-valuetext") == "20.0 m"
+    driven.get_by_role("slider", name="Distance Z").first.press("ArrowRight")
+    for root in driven.get_by_role("region", name="Dolly zoom").all():
+        settle(root)
+        assert root.get_by_role("slider").first.get_attribute("aria-valuetext") == "20.1 m"
