@@ -8,6 +8,7 @@ nothing of a term's secret.
 from __future__ import annotations
 
 import copy
+import hashlib
 import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -143,6 +144,12 @@ def write_submissions(directory: Path, assignment: str, submissions: Sequence[Su
         name = submission.filename or f"{assignment}.ipynb"
         (folder / name).write_bytes(submission.content)
         (folder / "timestamp.txt").write_text(TIMESTAMP, encoding="utf-8")
+        (folder / "submission_secret.txt").write_text(_receipt(submission), encoding="utf-8")
+
+
+def _receipt(submission: Submission) -> str:
+    """Return what nbgrader names a student's feedback by in the exchange; random in its own."""
+    return hashlib.sha256(submission.student.encode() + submission.content).hexdigest()
 
 
 def right(exercise: Exercise, function: Callable[..., Any] | None = None) -> Typed:

@@ -41,12 +41,14 @@ def graded(make_term):
     write_submissions(term, "01_pinhole", submissions)
     autograde = run("nbgrader", "autograde", "01_pinhole", "--Execute.timeout=10", cwd=term)
     feedback = run("nbgrader", "generate_feedback", "01_pinhole", cwd=term)
+    release = run("nbgrader", "release_feedback", "01_pinhole", cwd=term)
     export = run("nbgrader", "export", "--to", "grades.csv", cwd=term)
     yield SimpleNamespace(
         term=term,
         submissions={submission.student: submission for submission in submissions},
         autograde=autograde,
         feedback=feedback,
+        release=release,
         export=export,
     )
     shutil.rmtree(term)

@@ -61,6 +61,12 @@ def test_the_class_is_complete(graded):
     assert set(graded.submissions) == set(KINDS)
 
 
+def test_everyone_who_was_graded_gets_feedback(graded):
+    assert graded.feedback.returncode == graded.release.returncode == 0
+    released = list(graded.term.glob("exchange/camera/feedback/*.html"))
+    assert len(released) == sum(s.points is not None for s in graded.submissions.values())
+
+
 @pytest.mark.parametrize("student", KINDS)
 def test_scores_are_exactly_those_expected(graded, scores, student):
     points = graded.submissions[student].points
