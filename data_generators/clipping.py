@@ -38,7 +38,7 @@ def clip(corners: Array, plane: Array, offset: float = 0.0) -> Array:
     I. Sutherland, G. Hodgman, "Reentrant polygon clipping", Comm. ACM 17 (1974) 32-42.
     """
     distance = (corners @ plane - offset).tolist()
-    if min(distance) >= 0:
+    if min(distance, default=0.0) >= 0:
         return corners
     kept = []
     for i, here in enumerate(distance):

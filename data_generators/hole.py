@@ -69,7 +69,9 @@ class Hole:
         return np.where(near, finite, self.diameter)
 
 
-def transfer(frequency: ArrayLike, hole: Hole, Z: float = np.inf) -> Array:
+def transfer(
+    frequency: ArrayLike, hole: Hole, Z: float = np.inf, disk: float | None = None
+) -> Array:
     """Return how much of a fine pattern's contrast passes the hole.
 
     Parameters
@@ -80,6 +82,8 @@ def transfer(frequency: ArrayLike, hole: Hole, Z: float = np.inf) -> Array:
         The hole.
     Z : float
         Distance of the pattern from the hole, m.
+    disk : float, optional
+        Diameter of the disk of a point, mm, instead of that at distance `Z`.
 
     Returns
     -------
@@ -102,14 +106,14 @@ def transfer(frequency: ArrayLike, hole: Hole, Z: float = np.inf) -> Array:
     frequency = np.abs(check_numbers(frequency, "frequency"))
     if np.isnan(Z) or Z <= 0:
         raise ValueError(f"Z must be positive, got {Z}")
-    x = np.pi * float(hole.spot(Z)) * frequency
+    x = np.pi * (float(hole.spot(Z)) if disk is None else disk) * frequency
     tiny = x < 1e-6
-    disk = np.where(tiny, 1.0, 2 * j1(x) / np.where(tiny, 1.0, x))
+    geometric = np.where(tiny, 1.0, 2 * j1(x) / np.where(tiny, 1.0, x))
     if hole.wavelength is None:
-        return disk
+        return geometric
     cutoff = hole.diameter / (hole.wavelength * hole.image_distance)
     r = np.minimum(frequency / cutoff, 1)
-    return np.asarray(disk * (2 / np.pi) * (np.arccos(r) - r * np.sqrt(1 - r**2)))
+    return np.asarray(geometric * (2 / np.pi) * (np.arccos(r) - r * np.sqrt(1 - r**2)))
 
 
 def hole_cameras(camera: Camera, hole: Hole, count: int = 64) -> list[Camera]:
@@ -189,7 +193,9 @@ class Spread:
         self._top = float(frequency.max())
         self._entry = np.rint(frequency * ((TABLE - 1) / self._top)).astype(np.intp)
 
-    def through(self, hole: Hole, gain: float = 1.0) -> NDArray[np.float32]:
+    def through(
+        self, hole: Hole, gain: float = 1.0, disk: float | None = None
+    ) -> NDArray[np.float32]:
         """Return the picture through a hole.
 
         Parameters
@@ -198,6 +204,8 @@ class Spread:
             The hole.
         gain : float
             Factor on the brightness.
+        disk : float, optional
+            Diameter of the disk of a point, mm, instead of that at distance `Z`.
 
         Returns
         -------
@@ -206,7 +214,7 @@ class Spread:
         """
         import cv2
 
-        table = transfer(np.linspace(0, self._top, TABLE), hole, self.Z)
+        table = transfer(np.linspace(0, self._top, TABLE), hole, self.Z, disk)
         weight = (gain * table).astype(np.float32)[self._entry]
         columns, rows = self.margin
         flags = cv2.DFT_SCALE | cv2.DFT_REAL_OUTPUT

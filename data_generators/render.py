@@ -1,8 +1,7 @@
 """Photographs of a scene: rays, light, numbers.
 
-The stages are functions of their own: `radiance` follows rays into the scene, a hole or lens
-spreads the light (`data_generators.hole`), `expose` makes irradiance of it and `numbers` what a
-sensor writes down.
+The stages are functions of their own: `radiance` follows rays into the scene, `irradiance` is
+what a hole makes of it on the sensor, and `numbers` what the sensor writes down.
 """
 
 from __future__ import annotations
@@ -14,11 +13,14 @@ from numpy.typing import NDArray
 
 from course_lib.camera import Camera
 from course_lib.checks import Array, check_positive
+from data_generators.hole import Hole, Spread, through_points, with_margin
 from data_generators.pyramid import levels_for
+from data_generators.quick import QuickRenderer
 from data_generators.raycast import SceneIndex, bilinear, on_plane, rays
 from data_generators.scene import Scene
 
 TILE = 48  # px: rays are followed in square bundles of this size
+DISK_TOLERANCE = 0.25  # px: how much disks may differ and still be taken as equal
 
 
 def radiance(scene: Scene, camera: Camera, samples: int = 4) -> Array:
@@ -102,9 +104,14 @@ def numbers(irradiance: Array) -> NDArray[np.uint8]:
 
 
 def photograph(
-    scene: Scene, camera: Camera, *, exposure: float = 1.0, samples: int = 4
+    scene: Scene,
+    camera: Camera,
+    *,
+    hole: Hole | None = None,
+    exposure: float | None = None,
+    samples: int = 4,
 ) -> NDArray[np.uint8]:
-    """Return the sharp photograph that an ideal pinhole camera takes.
+    """Return the photograph that a pinhole camera takes.
 
     Parameters
     ----------
@@ -112,8 +119,12 @@ def photograph(
         What there is to see.
     camera : Camera
         The camera, in the scene's world.
-    exposure : float
-        Factor on all brightnesses.
+    hole : Hole, optional
+        The hole with its size; without one, an ideal point.
+    exposure : float, optional
+        Factor on all brightnesses. With a hole, it is the grey level (1 is white) of a white
+        surface by irradiance, so that a larger hole makes a brighter picture; without a value
+        the exposure time makes up for the size of the hole.
     samples : int
         Rays a pixel, along each axis.
 
@@ -127,7 +138,41 @@ def photograph(
     TypeError, ValueError
         If the exposure is not positive or there are no samples.
     """
-    return numbers(radiance(scene, camera, samples) * check_positive(exposure, "exposure"))
+    gain = 1.0 if exposure is None else float(check_positive(exposure, "exposure"))
+    if hole is None:
+        return numbers(radiance(scene, camera, samples) * gain)
+    if exposure is not None:
+        gain *= hole.light
+    return numbers(gain * irradiance(scene, camera, hole, samples))
+
+
+def irradiance(scene: Scene, camera: Camera, hole: Hole, samples: int = 4) -> Array:
+    """Return the light on the sensor behind a hole, by that behind an ideal point.
+
+    Where near and far disks differ by more than `DISK_TOLERANCE`, the picture is the mean of
+    those through many points of the hole; otherwise one disk serves for all.
+
+    Parameters
+    ----------
+    scene, camera, hole, samples
+        As for `photograph`.
+
+    Returns
+    -------
+    ndarray, shape (height, width, 3)
+        1 where a white surface is seen sharply.
+    """
+    wide, margin = with_margin(camera)
+    depth, pitch = depth_map(scene, wide), hole.pitch(camera)
+    # The background is of one colour, so its disk shows nowhere.
+    disks = hole.spot(depth[np.isfinite(depth)]) if np.isfinite(depth).any() else np.zeros(1)
+    if np.ptp(disks) <= DISK_TOLERANCE * pitch.min():
+        spread = Spread(radiance(scene, wide, samples), margin, pitch)
+        return spread.through(hole, disk=float(np.median(disks))).astype(float)
+    quick = QuickRenderer(scene)
+    count = int(np.clip((disks.max() / pitch.min()) ** 2, 64, 1024))
+    mean = through_points(lambda point: quick.picture(point) / 255, wide, hole, count)
+    return Spread(mean, margin, pitch).through(hole, disk=0.0).astype(float)
 
 
 def _light(index: SceneIndex, camera: Camera, pixels: Array, size: float) -> Array:
