@@ -62,7 +62,9 @@ class TestBothEngines:
         # OpenCV looks for each corner from a start that is up to 1.5 px off.
         start = (expected + rng.uniform(-1.5, 1.5, expected.shape)).astype(np.float32)
         stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_COUNT, 100, 1e-4)
-        detected = cv2.cornerSubPix(grey, start[:, None], (5, 5), (-1, -1), stop)[:, 0]
+        detected = cv2.cornerSubPix(grey, start.reshape(-1, 1, 2).copy(), (5, 5), (-1, -1), stop)[
+            :, 0
+        ]
         error = np.linalg.norm(detected - expected, axis=1)
         # px; the quick engine takes its texture from the nearest level.
         rms, worst = {"rays": (0.03, 0.06), "quick": (0.09, 0.15)}[engine]

@@ -4,9 +4,11 @@ import pytest
 from course_lib.checks import DegenerateConfigurationError
 from data_generators.bodies import board, fir, house, lamp, leafy_tree
 from data_generators.clipping import clip, slabs
+from data_generators.hall import hall, hall_camera
 from data_generators.order import back_to_front
 from data_generators.places import street
 from data_generators.pyramid import TexturePyramid
+from data_generators.quick import QuickRenderer
 from data_generators.scene import Patch, Scene, box, check_texture, polygon
 
 GREY = np.array((100, 100, 100))
@@ -86,10 +88,20 @@ class TestBodies:
         np.testing.assert_allclose(front.corners.mean(axis=0), (1, 2, 1.0))
         np.testing.assert_allclose(front.normal, (0, -1, 0), atol=1e-12)
 
-    def test_street_is_the_same_every_time(self):
-        first, second = street(), street()
+    @pytest.mark.parametrize("place", [street, hall])
+    def test_places_are_the_same_every_time(self, place):
+        first, second = place(), place()
         for one, other in zip(first.patches, second.patches, strict=True):
             np.testing.assert_array_equal(one.texture, other.texture)
+
+    def test_hall_is_closed(self):
+        # A room all around: nowhere in the picture does the background shine through.
+        scene = hall()
+        unlike_any_wall = Scene(scene.patches, (255, 0, 255))
+        camera = hall_camera((96, 72))
+        np.testing.assert_array_equal(
+            QuickRenderer(scene).picture(camera), QuickRenderer(unlike_any_wall).picture(camera)
+        )
 
 
 class TestGeometryOfPainting:
