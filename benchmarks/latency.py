@@ -1,64 +1,105 @@
-"""Slider to new pixels, and pictures a second while dragging, in a real JupyterLab and Chromium."""
+"""From the slider to new pixels, and pictures a second while dragging, in a real JupyterLab."""
 
 from __future__ import annotations
 
 import statistics
 import tempfile
 import time
-from dataclasses import dataclass
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from benchmarks.table import Row
 from tests.browser.lab import Lab, browser, open_notebook, run_all_cells, write_notebook
 
-#: The picture counts as new in the animation frame that finds it drawn.
-WATCH = """(selector) => {
-  const root = document.querySelector(selector);
+EXPLORERS = {
+    "aperture explorer": ("aperture_explorer", "The hole of a pinhole camera", "d"),
+    "focal length explorer": (
+        "focal_length_explorer",
+        "Focal length, sensor and field of view",
+        "f",
+    ),
+    "dolly zoom": ("dolly_zoom_explorer", "Dolly zoom", "Z"),
+}
+
+# What is on the screen: the number of the frame drawn, or the picture that Matplotlib made. New
+# pixels count in the animation frame that finds them, for everyone alike.
+SIGN = """
   const sign = () => {
     if (root.dataset.frame) return root.dataset.frame;
     const image = root.querySelector("img");
-    return image && image.complete && image.naturalWidth ? image.src.length + image.src.slice(-400) : "";
-  };
+    const drawn = image?.complete && image.naturalWidth;
+    return drawn ? `${image.src.length} ${image.src.slice(-400)}` : "";
+  };"""
+
+WATCH = (
+    """(selector) => {
+  const root = document.querySelector(selector);"""
+    + SIGN
+    + """
   const before = sign();
   window.benchNew = new Promise((resolve, reject) => {
     let start = 0;
-    root.addEventListener("keydown", (event) => { start = event.timeStamp; }, { capture: true, once: true });
+    const once = { capture: true, once: true };
+    root.addEventListener("keydown", (event) => { start = event.timeStamp; }, once);
     const end = performance.now() + 8000;
-    const look = (now) => {
+    const look = () => {
       const current = sign();
       if (start && current && current !== before) resolve(performance.now() - start);
-      else if (now > end) reject(new Error(`no new picture: ${selector}`));
+      else if (performance.now() > end) reject(new Error(`no new picture: ${selector}`));
       else requestAnimationFrame(look);
     };
     requestAnimationFrame(look);
   });
 }"""
+)
 
-COUNT = """(selector) => {
-  const root = document.querySelector(selector);
-  const seen = { last: "", count: 0, stop: false };
+COUNT = (
+    """(selector) => {
+  const root = document.querySelector(selector);"""
+    + SIGN
+    + """
+  const seen = { last: sign(), count: 0, stop: false };
   const look = () => {
-    const image = root.querySelector("img");
-    const sign = root.dataset.frame ?? (image?.complete ? image.src.slice(-400) : seen.last);
-    if (sign !== seen.last) { seen.count += 1; seen.last = sign; }
+    const current = sign();
+    if (current && current !== seen.last) { seen.count += 1; seen.last = current; }
     if (!seen.stop) requestAnimationFrame(look);
   };
   requestAnimationFrame(look);
   window.benchSeen = seen;
 }"""
+)
+
+STOP = "() => { window.benchSeen.stop = true; return window.benchSeen.count; }"
+
+#: From a movement of the pointer to the animation frame that shows what it reads.
+POINTER = """(selector) => {
+  const root = document.querySelector(selector), reading = root.querySelector(".ce-reading");
+  window.benchPointer = [];
+  root.addEventListener("pointermove", (event) => {
+    requestAnimationFrame(() => {
+      if (reading.textContent) window.benchPointer.push(performance.now() - event.timeStamp);
+    });
+  }, { capture: true });
+}"""
 
 
 @dataclass
 class Contender:
-    """Something with a slider: where it is on the page, and what was measured."""
+    """Something with a slider: where it is on the page, and what was measured, in ms and 1/s."""
 
     name: str
     root: str
-    slider: str
+    handle: str
+    latencies: list[float] = field(default_factory=list)
+    rates: list[float] = field(default_factory=list)
 
-    def __post_init__(self) -> None:
-        self.latencies: list[float] = []
-        self.rates: list[float] = []
+    @property
+    def slider(self) -> str:
+        """Return the selector of what takes the keys."""
+        return f"{self.root} {self.handle} >> nth=0"
 
     @property
     def latency(self) -> float:
@@ -82,33 +123,36 @@ def press(page: Any, contender: Contender, key: str) -> None:
 def drag(page: Any, contender: Contender, seconds: float) -> None:
     """Drag the contender's slider to and fro; note the pictures a second."""
     handle = page.locator(contender.slider)
-    track = handle.locator("xpath=ancestor-or-self::*[contains(@class,'noUi-target') or self::input]")
-    box = track.last.bounding_box()
-    middle = box["y"] + box["height"] / 2
-    place = handle.bounding_box() if "noUi" in contender.slider else box
-    page.mouse.move(place["x"] + place["width"] / 2, middle)
+    box = handle.bounding_box()
+    track = page.locator(f"{contender.root} .noUi-base")
+    if track.count():
+        box = track.first.bounding_box()
+        handle.hover()
+    else:
+        share = handle.evaluate("(s) => (s.value - s.min) / (s.max - s.min)")
+        page.mouse.move(box["x"] + 9 + share * (box["width"] - 18), box["y"] + box["height"] / 2)
     page.mouse.down()
     page.evaluate(COUNT, contender.root)
     start, step = time.perf_counter(), 0
     while time.perf_counter() - start < seconds:
         step += 1
-        across = abs((step % 120) / 60 - 1)
-        page.mouse.move(box["x"] + box["width"] * (0.1 + 0.8 * across), middle)
-        page.wait_for_timeout(8)
-    elapsed = time.perf_counter() - start
-    contender.rates.append(page.evaluate("() => { window.benchSeen.stop = true; return window.benchSeen.count; }") / elapsed)
+        across = 0.1 + 0.8 * abs((step % 160) / 80 - 1)
+        page.mouse.move(box["x"] + box["width"] * across, box["y"] + box["height"] / 2)
+        page.wait_for_timeout(12)
+    contender.rates.append(page.evaluate(STOP) / (time.perf_counter() - start))
     page.mouse.up()
     page.wait_for_timeout(1500)
 
 
-def measure(cells: list[str], contenders: list[Contender], rounds: int, drags: int, options: tuple[str, ...] = ()) -> None:
-    """Measure all contenders, interleaved, in one page."""
+@contextmanager
+def page_with(cells: list[str]) -> Iterator[Any]:
+    """Run a notebook in a fresh JupyterLab; yield its page."""
     with tempfile.TemporaryDirectory() as place:
         folder, home = Path(place, "notebooks"), Path(place, "home")
         folder.mkdir()
         home.mkdir()
         path = write_notebook(folder / "bench.ipynb", *cells)
-        lab = Lab(folder, home, options=options)
+        lab = Lab(folder, home)
         try:
             with browser() as program:
                 page = program.new_page(viewport={"width": 1400, "height": 1100})
@@ -116,13 +160,13 @@ def measure(cells: list[str], contenders: list[Contender], rounds: int, drags: i
                 errors = run_all_cells(page)
                 if errors:
                     raise RuntimeError(f"the benchmark's notebook failed: {errors}")
-                _rounds(page, contenders, rounds, drags)
+                yield page
         finally:
             lab.stop()
 
 
-def _rounds(page: Any, contenders: list[Contender], rounds: int, drags: int) -> None:
-    """Take turns: every contender once a round; the first round warms up and is dropped."""
+def take_turns(page: Any, contenders: list[Contender], rounds: int, drags: int) -> None:
+    """Measure every contender once a round; the first round warms up and is dropped."""
     for turn in range(rounds + 1):
         for contender in contenders:
             page.locator(contender.root).scroll_into_view_if_needed()
@@ -136,3 +180,48 @@ def _rounds(page: Any, contenders: list[Contender], rounds: int, drags: int) -> 
         for contender in contenders:
             page.locator(contender.root).scroll_into_view_if_needed()
             drag(page, contender, seconds=3.0)
+
+
+def pointer_latency(page: Any, title: str) -> float:
+    """Return the median time from a pointer's movement to what it shows, ms."""
+    root = f'.course-explorer[aria-label="{title}"]'
+    page.locator(root).scroll_into_view_if_needed()
+    box = page.locator(f"{root} canvas").first.bounding_box()
+    page.evaluate(POINTER, root)
+    for step in range(90):
+        x = box["x"] + box["width"] * (0.1 + 0.8 * (step % 30) / 30)
+        page.mouse.move(x, box["y"] + box["height"] * (0.2 + step / 150))
+        page.wait_for_timeout(20)
+    return statistics.median(page.evaluate("() => window.benchPointer"))
+
+
+def measure(rounds: int = 15, drags: int = 3) -> list[Row]:
+    """Measure the explorers against the bare round trip and against what notebooks usually do."""
+    cells = ["from benchmarks.peers import RoundTrip, naive"]
+    cells += ["from course_lib.widgets.pinhole import *", "RoundTrip()"]
+    bare = Contender("bare round trip", ".bench-round-trip", "input")
+    pairs = []
+    for place, (name, (make, title, slider)) in enumerate(EXPLORERS.items()):
+        cells += [f"e{place} = {make}()\ne{place}", f"naive(e{place}, {slider!r})"]
+        ours = Contender(name, f'.course-explorer[aria-label="{title}"]', "input")
+        peer = Contender(f"naive {name}", f".bench-naive-{slider}", ".noUi-handle")
+        pairs.append((ours, peer))
+    with page_with(cells) as page:
+        take_turns(page, [bare, *(c for pair in pairs for c in pair)], rounds, drags)
+        pointer = pointer_latency(page, EXPLORERS["focal length explorer"][1])
+    return _rows(bare, pairs, pointer)
+
+
+def _rows(bare: Contender, pairs: list[tuple[Contender, Contender]], pointer: float) -> list[Row]:
+    """Return the table: every explorer against both peers."""
+    rows = []
+    for ours, peer in pairs:
+        what = f"{ours.name}: slider to new pixels"
+        rows.append(Row(what, ours.latency, "ms", "bare round trip", bare.latency, "≤ 1.6 ×"))
+        rows.append(Row(what, ours.latency, "ms", "interact + plt.show", peer.latency, "≤ 0.2 ×"))
+    for ours, peer in pairs:
+        what = f"{ours.name}: while dragging"
+        rows.append(Row(what, ours.rate, "/s", "interact + plt.show", peer.rate, "≥ 20 /s"))
+    rows.append(Row("bare round trip: while dragging", bare.rate, "/s"))
+    rows.append(Row("what follows the pointer", pointer, "ms", goal="≤ 16 ms"))
+    return rows

@@ -5,44 +5,43 @@ from __future__ import annotations
 from typing import Any
 
 import anywidget
-import traitlets
 
 from course_lib.drawing.explorers import Picture
-from course_lib.widgets.controls import Slider
 from course_lib.widgets.explorer import Explorer
+
+SCRIPT = """
+export default { render({ model, el }) {
+  const root = document.createElement("div"), input = document.createElement("input");
+  const canvas = document.createElement("canvas");
+  Object.assign(input, { type: "range", min: 0, max: 200, value: 100 });
+  input.setAttribute("data-lm-suppress-shortcuts", "");
+  root.className = "bench-round-trip";
+  root.append(input, canvas);
+  el.append(root);
+  let sent = 0, answered = 0, waiting = false;
+  const flush = () => {
+    if (!waiting || sent - answered >= 2) return;
+    waiting = false;
+    sent += 1;
+    model.send({ value: input.valueAsNumber });
+  };
+  input.addEventListener("input", () => { waiting = true; flush(); });
+  model.on("msg:custom", (message) => {
+    answered += 1;
+    const context = canvas.getContext("2d");
+    context.fillStyle = `hsl(${message.value} 80% 50%)`;
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    root.dataset.frame = answered;
+    flush();
+  });
+} };
+"""
 
 
 class RoundTrip(anywidget.AnyWidget):
     """A slider whose number goes to Python and back, and a canvas that then changes colour."""
 
-    _esm = """
-    export default { render({ model, el }) {
-      const root = document.createElement("div"), input = document.createElement("input");
-      const canvas = document.createElement("canvas");
-      Object.assign(input, { type: "range", min: 0, max: 200, value: 100 });
-      input.setAttribute("data-lm-suppress-shortcuts", "");
-      root.className = "bench-round-trip";
-      root.append(input, canvas);
-      el.append(root);
-      let sent = 0, answered = 0, waiting = false;
-      const flush = () => {
-        if (!waiting || sent - answered >= 2) return;
-        waiting = false;
-        sent += 1;
-        model.send({ value: input.valueAsNumber });
-      };
-      input.addEventListener("input", () => { waiting = true; flush(); });
-      model.on("msg:custom", (message) => {
-        answered += 1;
-        const context = canvas.getContext("2d");
-        context.fillStyle = `hsl(${message.value} 80% 50%)`;
-        context.fillRect(0, 0, canvas.width, canvas.height);
-        root.dataset.frame = answered;
-        flush();
-      });
-    } };
-    """
-    ready = traitlets.Bool(True).tag(sync=True)
+    _esm = SCRIPT
 
     def __init__(self) -> None:
         super().__init__()
@@ -50,31 +49,38 @@ class RoundTrip(anywidget.AnyWidget):
 
 
 def naive(explorer: Explorer, name: str) -> Any:
-    """Show an explorer's pictures as notebooks usually do: ``interact`` and a Matplotlib figure.
+    """Return an explorer's pictures as notebooks usually show them: ``interact``, Matplotlib.
 
     Parameters
     ----------
     explorer : Explorer
-        Whose frame function draws the picture; its other controls stay at their defaults.
+        Whose frame function draws the pictures; its other controls stay at their defaults.
     name : str
         The slider that moves.
     """
     import matplotlib.pyplot as plt
-    from ipywidgets import FloatSlider, interact
+    from ipywidgets import FloatSlider, VBox, interactive
 
-    slider = explorer._controls[name]
-    assert isinstance(slider, Slider)
-    still = explorer.state
+    state, frame = explorer.state, explorer._frame
+    control = explorer._controls[name]
 
     def show(value: float) -> None:
-        frame = explorer._frame(**{**still, name: value})
-        _, row = plt.subplots(1, len(frame.pictures), figsize=(8, 4), squeeze=False)
-        for axes, picture in zip(row[0], frame.pictures, strict=True):
+        pictures = frame(**{**state, name: value}).pictures
+        widths = [p.size[0] for p in pictures]
+        # As many pixels as the explorer has, and a line for the titles.
+        size = sum(widths) / 100, max(p.size[1] for p in pictures) / 100 + 0.3
+        _, row = plt.subplots(
+            1, len(pictures), figsize=size, dpi=100, width_ratios=widths, squeeze=False
+        )
+        for axes, picture in zip(row[0], pictures, strict=True):
             _plot(axes, picture)
         plt.show()
 
-    step = (slider.stop - slider.start) / 100
-    return interact(show, value=FloatSlider(slider.default, min=slider.start, max=slider.stop, step=step))
+    ends = {"min": control.start, "max": control.stop}
+    slider = FloatSlider(state[name], **ends, step=(control.stop - control.start) / 100)
+    box = VBox([interactive(show, value=slider)])
+    box.add_class(f"bench-naive-{name}")
+    return box
 
 
 def _plot(axes: Any, picture: Picture) -> None:

@@ -1,0 +1,64 @@
+"""What Python alone takes: importing the course, rendering a picture."""
+
+from __future__ import annotations
+
+import os
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+
+from benchmarks.table import Row
+
+MATHEMATICS = "import course_lib, course_lib.camera, course_lib.optics, course_lib.transforms"
+
+
+def importing(rounds: int = 15) -> list[Row]:
+    """Measure a fresh interpreter that imports the mathematics, and one that imports NumPy."""
+    times: dict[str, list[float]] = {"pass": [], "import numpy": [], MATHEMATICS: []}
+    for turn in range(rounds + 1):
+        for code, taken in times.items():
+            start = time.perf_counter()
+            subprocess.run([sys.executable, "-c", code], check=True, env=clean_environment())
+            if turn:
+                taken.append(time.perf_counter() - start)
+    bare, numpy, ours = (1000 * statistics.median(taken) for taken in times.values())
+    what = "import course_lib and its mathematics"
+    return [Row(what, ours - bare, "ms", "import numpy", numpy - bare, "≤ 300 ms")]
+
+
+def rendering(rounds: int = 15) -> list[Row]:
+    """Measure the street, 640 x 480, on one core: by warps, and by rays at one ray a pixel."""
+    import cv2
+
+    from data_generators.places import street, street_camera
+    from data_generators.quick import QuickRenderer
+    from data_generators.render import photograph
+
+    threads = cv2.getNumThreads()
+    cv2.setNumThreads(1)
+    camera, renderer = street_camera((640, 480)), QuickRenderer(street())
+    quick = lambda: renderer.picture(camera)  # noqa: E731
+    rays = lambda: photograph(renderer.scene, camera, samples=1)  # noqa: E731
+    ours, theirs = alternating(quick, rays, rounds)
+    cv2.setNumThreads(threads)
+    return [Row("street, 640 × 480, smooth", ours, "ms", "ray casting, jagged", theirs, "≤ 20 ms")]
+
+
+def alternating(one: Callable[[], object], other: Callable[[], object], rounds: int) -> list[float]:
+    """Return the medians of two functions that take turns, ms; the first round is dropped."""
+    times: list[list[float]] = [[], []]
+    for turn in range(rounds + 1):
+        for function, taken in zip((one, other), times, strict=True):
+            start = time.perf_counter()
+            function()
+            if turn:
+                taken.append(1000 * (time.perf_counter() - start))
+    return [statistics.median(taken) for taken in times]
+
+
+def clean_environment() -> dict[str, str]:
+    """Return the environment without tuning of the BLAS for one kind of processor."""
+    tuned = {"OPENBLAS_CORETYPE", "OPENBLAS_L2_SIZE"}
+    return {name: value for name, value in os.environ.items() if name not in tuned}
