@@ -167,7 +167,7 @@ function write(context, label, { ink, font }, scale, onPhotograph) {
   context.setLineDash([]);
   Object.assign(context, { lineWidth: 4 * scale, strokeStyle: onPhotograph ? "rgba(255,255,255,.8)" : ink("paper") });
   context.strokeText(label.text, ...label.at);
-  context.fillStyle = ink(label.role);
+  context.fillStyle = ink(`${label.role}-text`);
   context.fillText(label.text, ...label.at);
 }
 

@@ -10,7 +10,7 @@ SCRIPT = str(explorer.Explorer._esm)
 
 
 def declared(block):
-    return dict(re.findall(r"--ce-(\w+): (#\w{6});", block))
+    return dict(re.findall(r"--ce-([\w-]+): (#\w{6});", block))
 
 
 def luminance(colour):
@@ -38,7 +38,8 @@ def test_both_themes_declare_the_same_colours():
 
 def test_text_is_legible_in_both_themes():
     for theme in (LIGHT, DARK):
-        for text in ("ink", "quiet", "alarm"):
+        words = [f"{role}-text" for role in (*style.ROLES, "ink")]
+        for text in ("quiet", "alarm", *words):
             for ground in ("paper", "panel"):
                 assert contrast(theme[text], theme[ground]) >= 4.5, (text, ground)
 
