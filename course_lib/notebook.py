@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import getpass
-import inspect
 import os
 import sys
 import textwrap
@@ -16,7 +15,9 @@ import numpy as np
 
 from course_lib.display import show_block
 from course_lib.exercises import all_exercises, find
+from course_lib.exercises.pasting import paste
 from course_lib.judging import Exercise, ValuesExercise, Verdict, answer, judge, pose, seed_for
+from course_lib.judging.comparison import describe
 from course_lib.judging.html import to_html
 from course_lib.judging.limits import TimeLimitReached, time_limit
 from course_lib.judging.text import to_text
@@ -160,11 +161,16 @@ def solution(name: str) -> None:
         If there is no such exercise.
     """
     exercise = find(name)
-    if isinstance(exercise, Exercise):
-        source = inspect.getsource(exercise.reference)
-        show_block(f"<pre>{escape(source)}</pre>", source)
+    if isinstance(exercise, ValuesExercise):
+        _show_source(paste(exercise.reference).as_function())
+    elif isinstance(exercise, Exercise):
+        _show_source(paste(exercise.reference).without_docstring().as_function())
     else:
         show_block(f"<p>{exercise.model_answer}</p>", exercise.model_answer)
+
+
+def _show_source(source: str) -> None:
+    show_block(f"<pre>{escape(source)}</pre>", source)
 
 
 def verdict_of(exercise: Exercise, namespace: Mapping[str, Any]) -> Verdict:
@@ -193,13 +199,20 @@ def _answering(exercise: Exercise, namespace: Mapping[str, Any]) -> Callable[...
     """Return what answers the exercise; one that is missing is one that was not attempted."""
     if isinstance(exercise, ValuesExercise):
         return lambda **_: {variable: namespace.get(variable) for variable in exercise.units}
-    function = namespace.get(exercise.function_name)
-    if not callable(function):
+    function: Callable[..., Any] | None = namespace.get(exercise.function_name)
+    if callable(function):
+        return function
 
-        def function(*_: Any) -> Any:
-            raise NotImplementedError
+    def missing(*_: Any) -> Any:
+        raise NotImplementedError(_what_is_missing(exercise.function_name, function))
 
-    return function
+    return missing
+
+
+def _what_is_missing(name: str, found: Any) -> str:
+    if found is None:
+        return f"There is no function `{name}` yet. Run its cell, and mend an error in red first."
+    return f"`{name}` is {describe(found)}, not a function. Keep the line that begins with `def`."
 
 
 def _validating() -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Mapping
 
-from course_lib.authoring.pasting import INDENT, Pasted, paste
+from course_lib.exercises.pasting import INDENT, Pasted, paste
 from course_lib.judging import Exercise
 
 Mishap = Callable[[Exercise], str]

@@ -141,3 +141,24 @@ def test_solution_shows_the_course_s_own_source(capsys):
     assert "return f * Z_new / Z" in capsys.readouterr().out
     solution("pinhole.explain_flat_faces")
     assert "one factor" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("namespace", "words"),
+    [
+        ({}, "no function `image_centre` yet"),
+        ({"image_centre": 0.37}, "`image_centre` is a number, not a function"),
+    ],
+)
+def test_check_says_what_is_missing(namespace, words, capsys):
+    assert check("welcome.image_centre", namespace) == 0
+    assert words in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", ["pinhole.project_pinhole", "pinhole.pixel_focal_length"])
+def test_a_shown_solution_runs_in_a_notebook(name, capsys):
+    solution(name)
+    cell = {"np": np}
+    exec(capsys.readouterr().out, cell)
+    assert check(name, cell) > 0
+    assert "not answered" not in capsys.readouterr().out

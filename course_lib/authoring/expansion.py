@@ -12,8 +12,8 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from course_lib.authoring.lesson import Lesson, LessonCell, LessonError
-from course_lib.authoring.pasting import BEGIN, END, call, paste
 from course_lib.exercises import find
+from course_lib.exercises.pasting import BEGIN, END, call, paste
 from course_lib.judging import Exercise, Explain, ValuesExercise
 from course_lib.judging.text import format_points
 

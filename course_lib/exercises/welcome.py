@@ -21,6 +21,10 @@ def _odd_size(rng: Generator) -> dict[str, Any]:
     return {"image_size": (size[0] + 1, size[1] + 1)}
 
 
+def computes_with_a_tuple(image_size):
+    return (image_size - 1) / 2
+
+
 def half_the_size(image_size):
     return np.array(image_size) / 2
 
@@ -43,6 +47,10 @@ IMAGE_CENTRE = Exercise(
     camera.image_centre,
     parts={"an odd number of pixels": _odd_size, "an even number of pixels": _even_size},
     misconceptions=[
+        Misconception(
+            computes_with_a_tuple,
+            "A size comes as a tuple, such as (640, 480). What makes an array of it?",
+        ),
         Misconception(
             half_the_size,
             "A picture 3 pixels wide has the columns 0, 1 and 2. Which of them is in the middle?",

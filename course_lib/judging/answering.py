@@ -46,7 +46,9 @@ class Answer:
     line : str
         The line of the student's code that raised it.
     printed : str
-        The beginning of what was printed or warned.
+        The beginning of what was printed.
+    warned : tuple of str
+        What Python and NumPy warned of.
     changed_inputs : tuple of str
         Parameters whose value the function changed in place.
     called : tuple of str
@@ -59,6 +61,7 @@ class Answer:
     message: str = ""
     line: str = ""
     printed: str = ""
+    warned: tuple[str, ...] = ()
     changed_inputs: tuple[str, ...] = ()
     called: tuple[str, ...] = ()
 
@@ -102,11 +105,14 @@ def _answer_case(
 ) -> Answer:
     posed = replace(case, inputs=copy.deepcopy(case.inputs))
     output, called = BoundedText(limits.characters), set[str]()
-    with _quiet(output):
+    with _quiet(output) as caught:
         given = _outcome(exercise, function, posed, limits, called)
-    changed = tuple(name for name in case.inputs if not _same(case, posed, name))
     return replace(
-        given, printed=output.text(), changed_inputs=changed, called=tuple(sorted(called))
+        given,
+        printed=output.text(),
+        warned=tuple(dict.fromkeys(str(warning.message)[:200] for warning in caught)),
+        changed_inputs=tuple(name for name in case.inputs if not _same(case, posed, name)),
+        called=tuple(sorted(called)),
     )
 
 
@@ -123,8 +129,8 @@ def _outcome(
         return Answer("value", plain(result, limits.bytes))
     except TimeLimitReached:
         return Answer("time limit", message=f"{limits.seconds:g}")
-    except NotImplementedError:
-        return Answer("not attempted")
+    except NotImplementedError as error:
+        return Answer("not attempted", message=str(error)[:300])
     except NotPlainError as error:
         return Answer("not plain", message=str(error))
     except TooLargeError as error:
@@ -137,7 +143,7 @@ def _outcome(
 
 
 @contextmanager
-def _quiet(output: BoundedText) -> Iterator[None]:
+def _quiet(output: BoundedText) -> Iterator[list[warnings.WarningMessage]]:
     """Catch what is printed and warned; a grade cell must not write to stderr."""
     with (
         redirect_stdout(output),
@@ -146,9 +152,7 @@ def _quiet(output: BoundedText) -> Iterator[None]:
         np.errstate(all="warn"),
     ):
         warnings.simplefilter("always")
-        yield
-    for text in dict.fromkeys(str(warning.message) for warning in caught):
-        output.write(f"Warning: {text}\n")
+        yield caught
 
 
 @contextmanager

@@ -103,6 +103,11 @@ class Exercise:
         return False
 
     @property
+    def shows_expected(self) -> bool:
+        """Whether a check may show the right answer for the inputs that it tried."""
+        return True
+
+    @property
     def function_name(self) -> str:
         """What the student's function is called: the name of the reference."""
         return self.reference.__name__
@@ -147,6 +152,11 @@ class ValuesExercise(Exercise):
     def none_is_untouched(self) -> bool:
         """Variables start as None."""
         return True
+
+    @property
+    def shows_expected(self) -> bool:
+        """Nothing is drawn at random here: what is expected is the answer."""
+        return False
 
     def _draw(self, _: Generator) -> Inputs:
         return dict(self.given)

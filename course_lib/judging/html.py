@@ -5,7 +5,14 @@ from __future__ import annotations
 from html import escape
 from pathlib import Path
 
-from course_lib.judging.text import WRONG, example_rows, format_points, mark, summary
+from course_lib.judging.text import (
+    WRONG,
+    example_rows,
+    first_wrong,
+    format_points,
+    mark,
+    summary,
+)
 from course_lib.judging.verdict import PartVerdict, Verdict
 
 STYLE = Path(__file__).with_name("verdict.css").read_text(encoding="utf-8")
@@ -28,7 +35,8 @@ def to_html(verdict: Verdict) -> str:
     state = "right" if full else "wrong" if verdict.attempted else "open"
     function = escape(verdict.exercise.rpartition(".")[2])
     parts = "".join(map(_part, verdict.parts))
-    extras = [_hint(verdict.hint), *map(_note, verdict.notes), _example(verdict), _printed(verdict)]
+    asides = [*map(_hint, verdict.hints), *map(_note, verdict.notes)]
+    extras = [*asides, _example(first_wrong(verdict)), _printed(verdict)]
     return (
         f"<style>{STYLE}</style>"
         f'<section class="course-verdict {state}" aria-label="Result of {function}">'
@@ -59,24 +67,24 @@ def _text(message: str) -> str:
 
 
 def _hint(hint: str) -> str:
-    return f'<p class="hint"><b>Hint.</b> {_text(hint)}</p>' if hint else ""
+    return f'<p class="hint"><b>Hint.</b> {_text(hint)}</p>'
 
 
 def _note(note: str) -> str:
     return f'<p class="note"><b>Note.</b> {_text(note)}</p>'
 
 
-def _example(verdict: Verdict) -> str:
-    """Show inputs, answer and truth of the first wrong part; open, because it is the next step."""
-    feedback = next((p.feedback for p in verdict.parts if mark(p.feedback) == WRONG), None)
-    rows = example_rows(feedback) if feedback else []
-    if not rows:
+def _example(part: PartVerdict | None) -> str:
+    """Show inputs, answer and truth of a wrong part; open, because it is the next step."""
+    rows = example_rows(part.feedback) if part else []
+    if not part or not rows:
         return ""
     body = "".join(
         f"<tr><th scope='row'>{escape(label)}</th><td><pre>{escape(value)}</pre></td></tr>"
         for label, value in rows
     )
-    return f"<details open><summary>What was tried</summary><table>{body}</table></details>"
+    title = f"What was tried for <i>{escape(part.name)}</i>"
+    return f"<details open><summary>{title}</summary><table>{body}</table></details>"
 
 
 def _printed(verdict: Verdict) -> str:

@@ -1,4 +1,4 @@
-"""Find the misconception behind a wrong answer: the one that gives the same answers."""
+"""Find the misconception behind wrong answers: the one that gives the same answers."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from course_lib.judging.comparison import Close, Comparison
 from course_lib.judging.exercise import Case, Exercise, Misconception
 
 
-def find_misconception(
+def find_misconceptions(
     exercise: Exercise, cases: Sequence[Case], answers: Sequence[Answer], wrong: Sequence[int]
-) -> Misconception | None:
-    """Find the misconception that explains all wrong answers.
+) -> list[Misconception]:
+    """Find the misconception that explains all wrong answers, or else one for each wrong part.
 
     Parameters
     ----------
@@ -27,15 +27,21 @@ def find_misconception(
 
     Returns
     -------
-    Misconception or None
-        Of those that give the student's answer wherever it is wrong, the one that agrees on most
-        of the other cases too.
+    list of Misconception
+        Empty where no misconception gives the same answers.
     """
     if not wrong:
-        return None
+        return []
     agreements = {m.name: _agreement(exercise, m, cases, answers) for m in exercise.misconceptions}
-    explaining = [m for m in exercise.misconceptions if all(agreements[m.name][i] for i in wrong)]
-    return max(explaining, key=lambda m: sum(agreements[m.name]), default=None)
+
+    def explaining(some: Sequence[int]) -> list[Misconception]:
+        """Of those that agree with some answers, return the one that agrees with most others."""
+        fitting = [m for m in exercise.misconceptions if all(agreements[m.name][i] for i in some)]
+        return [max(fitting, key=lambda m: sum(agreements[m.name]))] if fitting else []
+
+    by_part = [[i for i in wrong if cases[i].part == part] for part in exercise.parts]
+    found = explaining(wrong) or [m for some in by_part if some for m in explaining(some)]
+    return list({m.name: m for m in found}.values())
 
 
 def _agreement(

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from course_lib.judging.verdict import Feedback, Verdict
+from course_lib.judging.verdict import Feedback, PartVerdict, Verdict
 
 MARKS = {"right": "✓", "not attempted": "○"}
 WRONG = "✗"
@@ -40,10 +40,10 @@ def example_rows(feedback: Feedback) -> list[tuple[str, str]]:
     if feedback.case is None:
         return []
     rows = [(name, format_value(value)) for name, value in feedback.case.inputs.items()]
-    if feedback.expected is not None:
+    if feedback.got is not None:
         rows += [("your answer", format_value(feedback.got))]
-        if feedback.kind != "right":
-            rows += [("expected", format_value(feedback.expected))]
+    if feedback.expected is not None:
+        rows += [("expected", format_value(feedback.expected))]
     return rows
 
 
@@ -52,6 +52,11 @@ def summary(verdict: Verdict) -> str:
     if not verdict.attempted:
         return f"not answered yet, {format_points(verdict.possible)} points to earn"
     return f"{format_points(verdict.points)} of {format_points(verdict.possible)} points"
+
+
+def first_wrong(verdict: Verdict) -> PartVerdict | None:
+    """Return the first part that is not right: its example is the next thing to look at."""
+    return next((part for part in verdict.parts if mark(part.feedback) == WRONG), None)
 
 
 def to_text(verdict: Verdict) -> str:
@@ -71,10 +76,9 @@ def to_text(verdict: Verdict) -> str:
     for part in verdict.parts:
         points = f"{format_points(part.points)}/{format_points(part.possible)}"
         lines.append(f"  {mark(part.feedback)} {part.name} ({points}): {part.feedback.message}")
-    shown = next((p.feedback for p in verdict.parts if mark(p.feedback) == WRONG), None)
-    for label, value in example_rows(shown) if shown else []:
-        lines.append(f"      {label} = " + value.replace("\n", "\n" + " " * (9 + len(label))))
-    lines += [f"  Hint: {verdict.hint}"] if verdict.hint else []
+        for label, value in example_rows(part.feedback) if part is first_wrong(verdict) else []:
+            lines.append(f"      {label} = " + value.replace("\n", "\n" + " " * (9 + len(label))))
+    lines += [f"  Hint: {hint}" for hint in verdict.hints]
     lines += [f"  Note: {note}" for note in verdict.notes]
     lines += [f"  Printed: {verdict.printed.rstrip()}"] if verdict.printed else []
     return "\n".join(lines)

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from course_lib.judging.advice import advice
 from course_lib.judging.answering import Answer
 from course_lib.judging.exercise import Case, Exercise
-from course_lib.judging.matching import find_misconception
+from course_lib.judging.matching import find_misconceptions
 
 Kind = Literal[
     "right", "not attempted", "raised", "time limit", "type", "shape", "values", "ready-made"
@@ -47,8 +48,8 @@ class Verdict:
 
     exercise: str
     parts: tuple[PartVerdict, ...]
-    hint: str = ""
-    misconception: str = ""
+    hints: tuple[str, ...] = ()
+    misconceptions: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     printed: str = ""
 
@@ -89,20 +90,20 @@ def judge(
     -------
     Verdict
         Points by part, feedback in the order attempted, raised, type and shape, values, and the
-        hint of the misconception that the answers agree with.
+        hints of the misconceptions that the wrong answers agree with.
     """
     pairs = zip(cases, answers, strict=True)
     judged = [_judge_case(exercise, case, given, reveal) for case, given in pairs]
     ready_made = sorted({name for given in answers for name in given.called})
     parts = tuple(_part_verdict(exercise, p, judged, reveal, ready_made) for p in exercise.parts)
     wrong = [i for i, f in enumerate(judged) if f.kind not in ("right", "not attempted")]
-    found = None if ready_made else find_misconception(exercise, cases, answers, wrong)
+    found = [] if ready_made else find_misconceptions(exercise, cases, answers, wrong)
     return Verdict(
         exercise.name,
         parts,
-        hint=found.hint if found else "",
-        misconception=found.name if found else "",
-        notes=_notes(answers),
+        hints=tuple(misconception.hint for misconception in found),
+        misconceptions=tuple(misconception.name for misconception in found),
+        notes=_notes(answers, reveal),
         printed=next((a.printed for a in answers if a.printed), "") if reveal else "",
     )
 
@@ -137,7 +138,8 @@ def _judge_case(exercise: Exercise, case: Case, given: Answer, reveal: bool) -> 
     mismatch = exercise.compare(given.value, expected)
     if mismatch is None:
         return Feedback("right", "Right.", case, given.value, expected)
-    return Feedback(mismatch.kind, mismatch.message, case, given.value, expected)
+    shown = expected if exercise.shows_expected else None
+    return Feedback(mismatch.kind, mismatch.message, case, given.value, shown)
 
 
 _KINDS: dict[str, Kind] = {
@@ -151,21 +153,34 @@ _KINDS: dict[str, Kind] = {
 
 
 def _sentence(given: Answer, reveal: bool) -> str:
-    where = f" in the line `{given.line}`" if given.line else ""
-    why = f": {given.message}" if given.message and reveal else ""  # a message can hold the inputs
+    if given.status == "raised":
+        return _raised(given, reveal)
     return {
         "value": "Not answered yet.",
-        "not attempted": "Not answered yet: the function still raises NotImplementedError.",
-        "raised": f"The function stopped with {given.error}{where}{why}.",
+        "not attempted": given.message
+        or "Not answered yet: the function still raises NotImplementedError.",
         "time limit": f"No answer after {given.message or 'some'} seconds. Does a loop never end?",
         "not plain": f"The answer is of the type {given.message}; arrays and numbers are expected.",
         "too large": f"The answer is far too large ({given.message}).",
     }[given.status]
 
 
-def _notes(answers: Sequence[Answer]) -> tuple[str, ...]:
+def _raised(given: Answer, reveal: bool) -> str:
+    """Say what an exception means; its own message can hold the inputs."""
+    where = f" in the line `{given.line}`" if given.line else ""
+    why = f": {given.message}" if given.message and reveal else ""
+    words = advice(given.error, given.message)
+    return f"The function stopped with {given.error}{where}{why}. {words}".rstrip()
+
+
+def _notes(answers: Sequence[Answer], reveal: bool) -> tuple[str, ...]:
+    notes = []
     changed = sorted({name for given in answers for name in given.changed_inputs})
-    if not changed:
-        return ()
-    names = " and ".join(f"`{name}`" for name in changed)
-    return (f"The function changes its input {names}; work on a copy, or on a new array.",)
+    if changed:
+        names = " and ".join(f"`{name}`" for name in changed)
+        notes.append(f"The function changes its input {names}; work on a copy, or on a new array.")
+    warned = list(dict.fromkeys(text for given in answers for text in given.warned))
+    if warned and reveal:
+        what = "; ".join(warned[:3])
+        notes.append(f"Python warned: {what}. This is harmless where the answer should be NaN.")
+    return tuple(notes)

@@ -36,7 +36,8 @@ def first_guess_intrinsics(f, sensor_size, image_size):
 
 
 def project_pinhole(points, f, c):
-    K = np.array([[f, 0, c[0]], [0, f, c[1]], [0, 0, 1]])
+    fx, fy = (f, f) if np.ndim(f) == 0 else f
+    K = np.array([[fx, 0, c[0]], [0, fy, c[1]], [0, 0, 1]])
     pixels = []
     for X in np.atleast_2d(points):
         x = K @ X
@@ -51,7 +52,8 @@ def vanishing_point(direction, f, c):
             pixels.append([math.nan, math.nan])
         else:
             far = d / d[2] * 1e9  # a point very far along the line
-            pixels.append([c[i] + f * far[i] / far[2] for i in range(2)])
+            pair = (f, f) if np.ndim(f) == 0 else f
+            pixels.append([c[i] + pair[i] * far[i] / far[2] for i in range(2)])
     return np.array(pixels) if np.ndim(direction) == 2 else np.array(pixels[0])
 
 
@@ -63,19 +65,19 @@ def dolly_zoom(f, Z, Z_new):
 def best_pinhole_diameter(image_distance, wavelength):
     """Minimise d + 2.44 λ s / d by Newton's method on its derivative."""
     spread = 2.44 * wavelength * image_distance
-    d = 0.3
+    d = 0.3 + 0 * spread
     for _ in range(60):
-        d -= (1 - spread / d**2) / (2 * spread / d**3)
-        d = max(d, 1e-3)
+        d = d - (1 - spread / d**2) / (2 * spread / d**3)
+        d = np.maximum(d, 1e-3)
     return d
 
 
 def data_sheet(f, sensor_size, image_size, f_calibrated):
-    """Typed in with the digits of a pocket calculator, the principal point as books print it."""
+    """Typed in with the digits of a pocket calculator."""
     return {
         "pixels_per_mm": 74.2,
         "f_px": 6307.2,
-        "c_u": 1024,
-        "c_v": 960,
+        "c_u": 1023.5,
+        "c_v": 959.5,
         "f_calibrated_mm": 92.9,
     }

@@ -71,8 +71,8 @@ def test_misconception_loses_points_and_gets_its_own_hint(exercise, misconceptio
         for reveal in (True, False):
             verdict = verdict_for(exercise, misconception.variant, seed, reveal)
             assert verdict.points < exercise.points, seed
-            assert verdict.misconception == misconception.name, seed
-            assert verdict.hint == misconception.hint, seed
+            assert verdict.misconceptions == (misconception.name,), seed
+            assert verdict.hints == (misconception.hint,), seed
 
 
 @each_exercise

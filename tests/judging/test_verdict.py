@@ -5,7 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from course_lib.judging import Exercise, Misconception, Part, answer, judge, pose, seed_for
+from course_lib.judging import (
+    Exercise,
+    Misconception,
+    Part,
+    ValuesExercise,
+    answer,
+    judge,
+    pose,
+    seed_for,
+)
 from course_lib.judging.html import to_html
 from course_lib.judging.text import to_text
 
@@ -50,20 +59,84 @@ def verdict(function, reveal=True, seed=3):
 
 def test_full_answer():
     full = verdict(lambda values, factor: np.array([factor * v for v in values]))
-    assert (full.points, full.possible, full.hint) == (4, 4, "")
+    assert (full.points, full.possible, full.hints) == (4, 4, ())
 
 
 def test_partial_credit_by_weight_and_hint_of_the_failed_part():
     half = verdict(lambda values, factor: values * abs(factor))
     assert [part.points for part in half.parts] == [3, 0]
-    assert half.misconception == "sign_lost"
+    assert half.misconceptions == ("sign_lost",)
 
 
-def test_a_hint_needs_agreement_in_every_wrong_answer():
-    def mixed(values, factor):
-        return values / factor if factor > 0 else values + 1
+def test_a_hint_needs_agreement_in_every_wrong_answer_of_a_part():
+    def sometimes(values, factor):
+        return values / factor if factor > 3 else values + 1
 
-    assert verdict(mixed).hint == ""
+    assert verdict(sometimes).hints == ()
+
+
+def test_each_wrong_part_can_have_a_hint_of_its_own():
+    def two_mistakes(values, factor):
+        return values / factor if factor > 0 else values * abs(factor)
+
+    assert verdict(two_mistakes).misconceptions == ("divided", "sign_lost")
+
+
+def test_untouched_function_is_told_why_where_there_is_none():
+    def missing(values, factor):
+        raise NotImplementedError("There is no function yet.")
+
+    found = verdict(missing)
+    assert not found.attempted
+    assert "There is no function yet." in to_text(found)
+
+
+def test_exceptions_are_put_in_plain_words():
+    found = verdict(lambda values, factor: tuple(values) - 1)
+    assert "np.array" in found.parts[0].feedback.message
+    hidden = verdict(lambda values, factor: tuple(values) - 1, reveal=False)
+    assert "np.array" in hidden.parts[0].feedback.message
+
+
+def test_warnings_are_a_note_and_cost_nothing():
+    def warns(values, factor):
+        return values * factor + 0 * (values / np.zeros(4) > 0)
+
+    found = verdict(warns)
+    assert found.points == 4
+    assert "divide by zero" in found.notes[0]
+    assert "harmless" in found.notes[0]
+    assert verdict(warns, reveal=False).notes == ()
+
+
+def test_nearly_right_says_so():
+    found = verdict(lambda values, factor: values * factor * 1.001)
+    assert found.points == 0
+    assert "Nearly right" in found.parts[0].feedback.message
+
+
+def test_example_is_labelled_with_its_part():
+    html = to_html(verdict(sign_lost))
+    assert "What was tried for <i>negative</i>" in html
+    lines = to_text(verdict(sign_lost)).splitlines()
+    assert next(i for i, x in enumerate(lines) if "negative (" in x) < next(
+        i for i, x in enumerate(lines) if "expected =" in x
+    )
+
+
+def test_fixed_numbers_are_not_given_away():
+    exercise = ValuesExercise(
+        "demo",
+        lambda side: {"area": side**2, "rim": 4 * side},
+        misconceptions=[],
+        given={"side": 7.0},
+        units={"area": "m²", "rim": "m"},
+    )
+    cases = pose(exercise, 1)
+    found = judge(exercise, cases, answer(exercise, lambda **_: {"area": 14.0, "rim": 28}, cases))
+    assert [part.points for part in found.parts] == [0, 2]
+    assert "49" not in to_text(found) + to_html(found)
+    assert "14" in to_text(found)
 
 
 def test_of_two_explanations_the_one_that_fits_more_answers_wins():
@@ -81,7 +154,7 @@ def test_of_two_explanations_the_one_that_fits_more_answers_wins():
     )
     cases = pose(exercise, 3)
     found = judge(exercise, cases, answer(exercise, sign_lost, cases))
-    assert found.misconception == "sign_lost"
+    assert found.misconceptions == ("sign_lost",)
 
 
 @pytest.mark.parametrize(
@@ -114,7 +187,7 @@ def test_grading_seeds_are_not_given_away():
                 assert f"{number:.3f}"[:5] not in shown
         assert "secret" not in shown
         assert not any(part.feedback.has_example for part in hidden.parts)
-    assert verdict(divided, reveal=False).hint == "Should the values grow or shrink?"
+    assert verdict(divided, reveal=False).hints == ("Should the values grow or shrink?",)
 
 
 def test_visible_and_hidden_results_earn_alike():

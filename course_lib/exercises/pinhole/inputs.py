@@ -57,7 +57,7 @@ def intrinsics(rng: Generator) -> tuple[float, Any]:
 def points_in_front(rng: Generator) -> Known:
     """Make points from their pixels: on each pixel's ray, at a depth that we choose."""
     f, c = intrinsics(rng)
-    pixels = rng.uniform((0, 0), (640, 480), (4, 2))
+    pixels = rng.uniform((-300, -200), (940, 680), (4, 2))  # also outside of the picture
     depth = rng.uniform(1, 9, (4, 1))
     points = np.hstack([(pixels - c) / f * depth, depth])
     return Known({"points": points, "f": f, "c": c}, pixels)
@@ -69,10 +69,19 @@ def one_point(rng: Generator) -> Known:
 
 
 def points_behind(rng: Generator) -> Known:
+    """Turn two points to where the camera does not see: behind it, and into its own plane."""
     many = points_in_front(rng)
-    turned = np.array([1, 1, -1, 1])[:, None]
-    truth = np.where(turned > 0, many.truth, np.nan)
-    return Known({**many.inputs, "points": many.inputs["points"] * turned}, truth)
+    points, truth = many.inputs["points"].copy(), many.truth.copy()
+    points[1, 2], points[2, 2] = -points[1, 2], 0
+    truth[1:3] = np.nan
+    return Known({**many.inputs, "points": points}, truth)
+
+
+def two_focal_lengths(rng: Generator) -> Known:
+    many = points_in_front(rng)
+    f = many.inputs["f"] * np.array([1, rng.uniform(1.1, 1.4)])
+    c = many.inputs["c"]
+    return Known({**many.inputs, "f": f}, (many.truth - c) * f / many.inputs["f"] + c)
 
 
 def line_ahead(rng: Generator) -> Known:
@@ -81,6 +90,13 @@ def line_ahead(rng: Generator) -> Known:
     pixel = rng.uniform((-300, -200), (900, 700))
     direction = rng.uniform(0.5, 4) * np.append((pixel - c) / f, 1)
     return Known({"direction": direction, "f": f, "c": c}, pixel)
+
+
+def line_with_two_focal_lengths(rng: Generator) -> Known:
+    ahead = line_ahead(rng)
+    f = ahead.inputs["f"] * np.array([1, rng.uniform(1.1, 1.4)])
+    c = ahead.inputs["c"]
+    return Known({**ahead.inputs, "f": f}, (ahead.truth - c) * f / ahead.inputs["f"] + c)
 
 
 def line_towards_us(rng: Generator) -> Known:
@@ -102,9 +118,18 @@ def moving_away(rng: Generator) -> Inputs:
     return {"f": focal_length(rng), "Z": float(Z), "Z_new": float(Z * rng.uniform(1.3, 4))}
 
 
+def several_distances(rng: Generator) -> Inputs:
+    away = moving_away(rng)
+    return {**away, "Z_new": away["Z"] * rng.uniform(1.3, 4, 4)}
+
+
 def moving_closer(rng: Generator) -> Inputs:
     away = moving_away(rng)
     return {**away, "Z": away["Z_new"], "Z_new": away["Z"]}
+
+
+def several_boxes(rng: Generator) -> Inputs:
+    return {**box_camera(rng), "image_distance": rng.uniform(40, 400, 3)}
 
 
 def box_camera(rng: Generator) -> Inputs:

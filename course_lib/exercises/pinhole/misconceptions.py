@@ -56,6 +56,21 @@ def triangle_upside_down(f, sensor_size):
     return 2 * np.arctan(2 * f / np.array([width, height, np.hypot(width, height)]))
 
 
+def brackets_forgotten(f, sensor_size):
+    width, height = sensor_size
+    return 2 * np.arctan(np.array([width, height, np.hypot(width, height)]) / 2 * f)
+
+
+def tangent_for_arctangent(f, sensor_size):
+    width, height = sensor_size
+    return 2 * np.tan(np.array([width, height, np.hypot(width, height)]) / (2 * f))
+
+
+def angles_added(f, sensor_size):
+    a, b = 2 * np.arctan(np.array(sensor_size) / (2 * f))
+    return np.array([a, b, a + b])
+
+
 # --- equivalent_focal_length ------------------------------------------------------------------
 
 
@@ -73,6 +88,10 @@ def crop_upside_down(f, sensor_size):
 
 def crop_by_area(f, sensor_size):
     return f * 36 * 24 / (sensor_size[0] * sensor_size[1])
+
+
+def only_the_crop_factor(f, sensor_size):
+    return np.hypot(36, 24) / np.hypot(*sensor_size)
 
 
 # --- first_guess_intrinsics -------------------------------------------------------------------
@@ -105,11 +124,22 @@ def transposed(f, sensor_size, image_size):
     return np.array([[fx, 0, 0], [0, fy, 0], [cx, cy, 1]])
 
 
+def fx_for_both_axes(f, sensor_size, image_size):
+    fx, _ = f * np.array(image_size) / np.array(sensor_size)
+    cx, cy = (np.array(image_size) - 1) / 2
+    return np.array([[fx, 0, cx], [0, fx, cy], [0, 0, 1]])
+
+
 # --- project_pinhole --------------------------------------------------------------------------
 
 
 def divides_by_focal_length(points, f, c):
     return np.where(points[..., 2:] > 0, points[..., :2] / f, np.nan) + c
+
+
+def exchanges_f_and_Z(points, f, c):
+    Z = np.where(points[..., 2:] > 0, points[..., 2:], np.nan)
+    return Z * points[..., :2] / f + c
 
 
 def principal_point_forgotten(points, f, c):
@@ -201,6 +231,10 @@ def radius_of_the_hole(image_distance, wavelength):
     return np.sqrt(2.44 * wavelength * image_distance) / 2
 
 
+def factor_forgotten(image_distance, wavelength):
+    return np.sqrt(wavelength * image_distance)
+
+
 # --- the data sheet ---------------------------------------------------------------------------
 
 
@@ -209,8 +243,8 @@ def data_sheet_pixel_size(f, sensor_size, image_size, f_calibrated):
     return {
         "pixels_per_mm": pixels_per_mm,
         "f_px": f * pixels_per_mm,
-        "c_u": image_size[0] / 2,
-        "c_v": image_size[1] / 2,
+        "c_u": (image_size[0] - 1) / 2,
+        "c_v": (image_size[1] - 1) / 2,
         "f_calibrated_mm": f_calibrated / pixels_per_mm,
     }
 
@@ -220,8 +254,8 @@ def data_sheet_rows_first(f, sensor_size, image_size, f_calibrated):
     return {
         "pixels_per_mm": pixels_per_mm,
         "f_px": f * pixels_per_mm,
-        "c_u": image_size[1] / 2,
-        "c_v": image_size[0] / 2,
+        "c_u": (image_size[1] - 1) / 2,
+        "c_v": (image_size[0] - 1) / 2,
         "f_calibrated_mm": f_calibrated / pixels_per_mm,
     }
 
@@ -231,8 +265,8 @@ def data_sheet_inverse_ratio(f, sensor_size, image_size, f_calibrated):
     return {
         "pixels_per_mm": pixels_per_mm,
         "f_px": f * pixels_per_mm,
-        "c_u": image_size[0] / 2,
-        "c_v": image_size[1] / 2,
+        "c_u": (image_size[0] - 1) / 2,
+        "c_v": (image_size[1] - 1) / 2,
         "f_calibrated_mm": f * f * pixels_per_mm / f_calibrated,
     }
 
@@ -245,4 +279,37 @@ def data_sheet_whole_size(f, sensor_size, image_size, f_calibrated):
         "c_u": image_size[0],
         "c_v": image_size[1],
         "f_calibrated_mm": f_calibrated / pixels_per_mm,
+    }
+
+
+def data_sheet_half_the_size(f, sensor_size, image_size, f_calibrated):
+    pixels_per_mm = image_size[0] / sensor_size[0]
+    return {
+        "pixels_per_mm": pixels_per_mm,
+        "f_px": f * pixels_per_mm,
+        "c_u": image_size[0] / 2,
+        "c_v": image_size[1] / 2,
+        "f_calibrated_mm": f_calibrated / pixels_per_mm,
+    }
+
+
+def data_sheet_along_the_height(f, sensor_size, image_size, f_calibrated):
+    pixels_per_mm = image_size[1] / sensor_size[1]
+    return {
+        "pixels_per_mm": pixels_per_mm,
+        "f_px": f * pixels_per_mm,
+        "c_u": (image_size[0] - 1) / 2,
+        "c_v": (image_size[1] - 1) / 2,
+        "f_calibrated_mm": f_calibrated / pixels_per_mm,
+    }
+
+
+def data_sheet_still_in_pixels(f, sensor_size, image_size, f_calibrated):
+    pixels_per_mm = image_size[0] / sensor_size[0]
+    return {
+        "pixels_per_mm": pixels_per_mm,
+        "f_px": f * pixels_per_mm,
+        "c_u": (image_size[0] - 1) / 2,
+        "c_v": (image_size[1] - 1) / 2,
+        "f_calibrated_mm": f_calibrated,
     }

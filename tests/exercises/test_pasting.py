@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from course_lib import camera, optics
-from course_lib.authoring.pasting import call, literal, paste
 from course_lib.exercises import all_exercises
+from course_lib.exercises.pasting import call, literal, paste
 from course_lib.judging import Exercise, ValuesExercise, answer, judge, pose
 
 FACTOR = 2.0
@@ -122,7 +122,7 @@ def test_pasted_misconceptions_stay_what_they_are(exercise):
         function = run(source, exercise.function_name)
         cases = pose(exercise, 3)
         verdict = judge(exercise, cases, answer(exercise, function, cases))
-        assert verdict.misconception == misconception.name
+        assert verdict.misconceptions == (misconception.name,)
 
 
 @pytest.mark.parametrize("exercise", FUNCTIONS, ids=lambda e: e.name)

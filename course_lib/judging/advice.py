@@ -1,0 +1,49 @@
+"""Plain words for the exceptions that beginners meet most."""
+
+from __future__ import annotations
+
+#: Name of the exception, a piece of its message, and what it most often means.
+ADVICE = (
+    (
+        "TypeError",
+        "'tuple'",
+        "A tuple cannot be computed with. Make it an array: `np.array(…)`.",
+    ),
+    ("TypeError", "'list'", "A list cannot be computed with. Make it an array: `np.array(…)`."),
+    ("TypeError", "'NoneType'", "Something here is None. Does a function lack its `return`?"),
+    ("TypeError", "only 0-dim", "This works for one number only; NumPy has it for arrays too."),
+    (
+        "TypeError",
+        "only length-1",
+        "This works for one number only; NumPy has it for arrays too.",
+    ),
+    ("TypeError", "not subscriptable", "One number has no parts that `[…]` could pick."),
+    ("TypeError", "positional argument", "Is the number of arguments the one in the exercise?"),
+    ("NameError", "", "Python does not know this name. Is it misspelt, or never assigned?"),
+    ("UnboundLocalError", "", "This name is used before it is assigned in the function."),
+    ("IndexError", "", "There are fewer entries than the index needs; the first has index 0."),
+    ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
+    ("ValueError", "broadcast", "The shapes of the two arrays do not fit. Print both shapes."),
+    ("ValueError", "truth value", "An `if` needs one yes or no; for arrays there is `np.where`."),
+    ("ValueError", "unpack", "The number of names on the left is not the number of values."),
+    ("RecursionError", "", "The function calls itself without end."),
+)
+
+
+def advice(error: str, message: str) -> str:
+    """Return what an exception most often means.
+
+    Parameters
+    ----------
+    error : str
+        The exception's name.
+    message : str
+        Its text.
+
+    Returns
+    -------
+    str
+        A sentence that gives no input away, or nothing.
+    """
+    fitting = (words for name, piece, words in ADVICE if name == error and piece in message)
+    return next(fitting, "")
