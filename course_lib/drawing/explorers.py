@@ -17,6 +17,7 @@ from course_lib.drawing import style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.patheffects import AbstractPathEffect
 
 Floats = NDArray[np.float64]
 
@@ -156,13 +157,15 @@ class Frame:
         return "\n".join([p.alt for p in self.pictures] + numbers)
 
 
-def still(frame: Frame) -> bytes:
+def still(frame: Frame, settings: str = "") -> bytes:
     """Draw a frame as a still figure, for readers without a kernel.
 
     Parameters
     ----------
     frame : Frame
         What to draw.
+    settings : str
+        Where the controls stand, written above the numbers.
 
     Returns
     -------
@@ -176,14 +179,15 @@ def still(frame: Frame) -> bytes:
 
     widths = [p.size[0] for p in frame.pictures]
     tallest = max(p.size[1] for p in frame.pictures)
+    caption = "\n".join(filter(None, [settings, _numbers(frame)]))
     with style.course_style():
-        height = style.FULL_WIDTH * tallest / sum(widths) + 0.9
+        height = style.FULL_WIDTH * tallest / sum(widths) + 0.5 + 0.18 * (caption.count("\n") + 1)
         figure = Figure(figsize=(style.FULL_WIDTH, height))
         FigureCanvasAgg(figure)
         row = figure.subplots(1, len(widths), width_ratios=widths, squeeze=False)[0]
         for axes, picture in zip(row, frame.pictures, strict=True):
             _draw(axes, picture)
-        figure.supxlabel(_numbers(frame), fontsize=9)
+        figure.supxlabel(caption, fontsize=9)
         png = io.BytesIO()
         figure.savefig(png, format="png")
     return png.getvalue()
@@ -206,10 +210,28 @@ def _draw(axes: Axes, picture: Picture) -> None:
         if line.closed:
             points = np.vstack([points, points[:1]])
         dash = "--" if line.dashed else "-"
-        axes.plot(*points.T, dash, color=colour, linewidth=0.6 * line.width)
+        halo = _halo(picture, 0.6 * line.width)
+        axes.plot(*points.T, dash, color=colour, linewidth=0.6 * line.width, path_effects=halo)
     for label in picture.labels:
         anchor = {"start": "left", "middle": "center", "end": "right"}[label.anchor]
-        axes.text(*label.at, label.text, color=_colour(label.role), ha=anchor, fontsize=7)
+        axes.text(
+            *label.at,
+            label.text,
+            color=_colour(label.role),
+            ha=anchor,
+            va="center",
+            fontsize=7,
+            path_effects=_halo(picture, 0),
+        )
+
+
+def _halo(picture: Picture, width: float) -> list[AbstractPathEffect]:
+    """Return a light rim for what is drawn over a photograph, so that it stands out."""
+    from matplotlib.patheffects import withStroke
+
+    if picture.image is None:
+        return []
+    return [withStroke(linewidth=width + 1.6, foreground="white", alpha=0.75)]
 
 
 def _colour(role: str) -> str:

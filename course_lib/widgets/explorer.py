@@ -138,6 +138,8 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         control, value = self._controls[name], self._state[name]
         if isinstance(control, Slider):
             return f"{control.text(float(value))} {control.unit}".strip()
+        if isinstance(value, bool):
+            return "on" if value else "off"
         return str(value)
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
@@ -148,8 +150,9 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         data, metadata = bundle
         try:
             frame = self.frame_now()
-            data["image/png"] = b64encode(still(frame)).decode("ascii")
-            words = frame.in_words()
+            settings = ", ".join(f"{c.label}: {self._shown(n)}" for n, c in self._controls.items())
+            data["image/png"] = b64encode(still(frame, settings)).decode("ascii")
+            words = f"{settings}\n{frame.in_words()}"
         except Exception as error:  # the live explorer shows the same sentence
             words = self._sentence(error)
         return data | {"text/plain": f"{self.spec['title']}\n{words}"}, metadata

@@ -114,6 +114,8 @@ def test_readers_without_a_kernel_get_a_figure_and_words(explorer):
     assert "application/vnd.jupyter.widget-view+json" in data
     assert "f is 70" in data["text/plain"]
     assert "Doubled: 140 mm" in data["text/plain"]
+    assert "Focal length: 70 mm" in data["text/plain"]
+    assert "Coupled: off" in data["text/plain"]
     png = np.frombuffer(base64.b64decode(data["image/png"]), np.uint8)
     assert cv2.imdecode(png, cv2.IMREAD_COLOR).shape[1] == 800
 
