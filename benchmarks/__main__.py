@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable
 
-from benchmarks import compute, latency
+from benchmarks import commands, compute, latency
 from benchmarks.table import RESULTS, Row, write_section
 
 #: Every entry is a function that returns rows. Add yours here.
@@ -13,6 +13,8 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "explorers": latency.measure,
     "importing": compute.importing,
     "rendering": compute.rendering,
+    "starting": commands.starting,
+    "building": commands.building,
 }
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from matplotlib.patheffects import AbstractPathEffect
 
 Floats = NDArray[np.float64]
+
+ANCHORS = {"start": "left", "middle": "center", "end": "right"}
 
 
 @dataclass(frozen=True)
@@ -213,16 +215,9 @@ def _draw(axes: Axes, picture: Picture) -> None:
         halo = _halo(picture, 0.6 * line.width)
         axes.plot(*points.T, dash, color=colour, linewidth=0.6 * line.width, path_effects=halo)
     for label in picture.labels:
-        anchor = {"start": "left", "middle": "center", "end": "right"}[label.anchor]
-        axes.text(
-            *label.at,
-            label.text,
-            color=_colour(label.role),
-            ha=anchor,
-            va="center",
-            fontsize=7,
-            path_effects=_halo(picture, 0),
-        )
+        look: dict[str, Any] = {"ha": ANCHORS[label.anchor], "va": "center", "fontsize": 7}
+        halo = _halo(picture, 0)
+        axes.text(*label.at, label.text, color=_colour(label.role), path_effects=halo, **look)
 
 
 def _halo(picture: Picture, width: float) -> list[AbstractPathEffect]:

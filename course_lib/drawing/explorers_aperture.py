@@ -61,17 +61,15 @@ def aperture_frame(d: float, s: float, exposure: str) -> Frame:
         np.rint(np.clip(linear, 0, 255)).astype(np.uint8),
         pixels=True,
     )
-    return Frame(
-        (photograph, _spot(shadow, rings), _curves(d, s, best)),
-        (
-            Readout("Shadow of the hole", "", f"{shadow:.2f}", "mm"),
-            Readout("Diffraction (Airy disk)", "", f"{rings:.2f}", "mm"),
-            Readout("Both together", "", f"{shadow + rings:.2f}", "mm"),
-            Readout("The same in pixels", "", f"{(shadow + rings) / PITCH:.1f}", "px"),
-            Readout("Light, against a 1 mm hole", "", f"{brightness:.3g}", "×"),
-            Readout("Best hole", "", f"{best:.2f}", "mm"),
-        ),
+    readouts = (
+        Readout("Shadow of the hole", "", f"{shadow:.2f}", "mm"),
+        Readout("Diffraction (Airy disk)", "", f"{rings:.2f}", "mm"),
+        Readout("Both together", "", f"{shadow + rings:.2f}", "mm"),
+        Readout("The same in pixels", "", f"{(shadow + rings) / PITCH:.1f}", "px"),
+        Readout("Light, against a 1 mm hole", "", f"{brightness:.3g}", "×"),
+        Readout("Best hole", "", f"{best:.2f}", "mm"),
     )
+    return Frame((photograph, _spot(shadow, rings), _curves(d, s, best)), readouts)
 
 
 def _blurs(d: NDArray[np.float64] | float, s: float) -> tuple[Any, Any]:
@@ -93,11 +91,6 @@ def _spot(shadow: float, rings: float) -> Picture:
     """Return the image of one point, drawn to scale on the pixels of the picture."""
     w, h = SIDE_SIZE
     middle = np.array([w / 2, h / 2])
-    cell = PITCH * SPOT_SCALE
-    across = np.arange(middle[0] % cell, w, cell)
-    down = np.arange(middle[1] % cell, h, cell)
-    grid = [[[u, 0], [u, h], [np.nan, np.nan]] for u in across]
-    grid += [[[0, v], [w, v], [np.nan, np.nan]] for v in down]
     bar = np.array([[14, h - 18], [14 + SPOT_SCALE, h - 18]])
     return Picture(
         "The image of one point",
@@ -105,7 +98,7 @@ def _spot(shadow: float, rings: float) -> Picture:
         f"on pixels of {PITCH:g} mm.",
         SIDE_SIZE,
         lines=(
-            Line(np.array(grid).reshape(-1, 2), "guide", 0.4),
+            Line(_pixel_grid(middle), "guide", 0.4),
             Line(_circle(middle, shadow), "ray", 2.0, closed=True, fill=0.45),
             Line(_circle(middle, rings), "image", 2.0, closed=True, fill=0.2),
             Line(bar, "ink", 3.0),
@@ -117,6 +110,15 @@ def _spot(shadow: float, rings: float) -> Picture:
             Label("1 square = 1 pixel", (w - 14, h - 18), "guide", "end"),
         ),
     )
+
+
+def _pixel_grid(middle: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the edges of the picture's pixels, to the scale of the spot diagram."""
+    (w, h), cell = SIDE_SIZE, PITCH * SPOT_SCALE
+    up = [np.nan, np.nan]
+    grid = [[[u, 0], [u, h], up] for u in np.arange(middle[0] % cell, w, cell)]
+    grid += [[[0, v], [w, v], up] for v in np.arange(middle[1] % cell, h, cell)]
+    return np.array(grid).reshape(-1, 2)
 
 
 def _circle(middle: NDArray[np.float64], diameter: float) -> NDArray[np.float64]:

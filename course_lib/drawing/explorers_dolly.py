@@ -46,10 +46,8 @@ def dolly_zoom_frame(Z: float, f: float, coupled: bool) -> Frame:
     Frame
         The photograph, the map, and the numbers; ``follows["f"]`` when coupled.
     """
-    follows = {}
     if coupled:
         f = float(dolly_zoom(FIRST_F, FIRST_Z, Z))
-        follows = {"f": f}
     x, y = CHART
     camera = upright_camera((float(x), float(y) - Z, EYE_HEIGHT), f, SENSOR)
     subject, tree = project(SUBJECT, camera), project(TREE, camera)
@@ -65,16 +63,13 @@ def dolly_zoom_frame(Z: float, f: float, coupled: bool) -> Frame:
         probes=(angle_probe(camera),),
         pixels=True,
     )
-    return Frame(
-        (photograph, _map(camera, Z, angle)),
-        (
-            Readout("Chart in the picture", "", f"{heights[0]:.0f}", "px"),
-            Readout("Tree behind it", "", f"{heights[1]:.0f}", "px"),
-            Readout("Field of view", "θ", f"{angle:.1f}", "°"),
-            Readout("Ratio", "f / Z", f"{f / Z:.2f}", "mm/m"),
-        ),
-        follows,
+    readouts = (
+        Readout("Chart in the picture", "", f"{heights[0]:.0f}", "px"),
+        Readout("Tree behind it", "", f"{heights[1]:.0f}", "px"),
+        Readout("Field of view", "θ", f"{angle:.1f}", "°"),
+        Readout("Ratio", "f / Z", f"{f / Z:.2f}", "mm/m"),
     )
+    return Frame((photograph, _map(camera, Z, angle)), readouts, {"f": f} if coupled else {})
 
 
 def _marks(ends: np.ndarray, role: str) -> Line:
@@ -87,11 +82,6 @@ def _marks(ends: np.ndarray, role: str) -> Line:
 def _map(camera: Camera, Z: float, angle: float) -> Picture:
     """Return the shot from above: north is up."""
     centre = camera_centre(camera.R, camera.t)[:2]
-    w, h = camera.image_size
-    sides = pixel_ray([[-0.5, (h - 1) / 2], [w - 0.5, (h - 1) / 2]], camera)[:, :2]
-    sides = sides / sides[:, 1:]  # one metre north
-    reach = NORTH_END - centre[1]
-    fan = np.array([centre + reach * sides[0], centre, centre + reach * sides[1]])
     board = CHART + np.array([[-0.6, 0.0], [0.6, 0.0]])
     gap = np.array([[CHART[0] + 2, CHART[1]], [CHART[0] + 2, centre[1]]])
     return Picture(
@@ -100,7 +90,7 @@ def _map(camera: Camera, Z: float, angle: float) -> Picture:
         MAP_SIZE,
         lines=(
             *_surroundings(),
-            Line(_on_map(fan), "camera", 2.0, fill=0.15),
+            Line(_on_map(_fan(camera)), "camera", 2.0, fill=0.15),
             Line(_on_map(board), "object", 4.0),
             Line(_on_map(gap), "ray", 1.5, dashed=True),
             Line(_disc(TREE[0, :2], 1.4), "image", 1.5, closed=True, fill=0.9),
@@ -113,6 +103,15 @@ def _map(camera: Camera, Z: float, angle: float) -> Picture:
             Label(f"Z = {Z:.1f} m", _at(gap.mean(axis=0) - [-0.8, 0])),
         ),
     )
+
+
+def _fan(camera: Camera) -> np.ndarray:
+    """Return the sides of what a camera sees at the height of its axis, on the map, m."""
+    centre = camera_centre(camera.R, camera.t)[:2]
+    w, h = camera.image_size
+    sides = pixel_ray([[-0.5, (h - 1) / 2], [w - 0.5, (h - 1) / 2]], camera)[:, :2]
+    reach = (NORTH_END - centre[1]) * sides / sides[:, 1:]
+    return np.array([centre + reach[0], centre, centre + reach[1]])
 
 
 def _surroundings() -> tuple[Line, ...]:

@@ -54,18 +54,16 @@ def focal_length_frame(f: float, sensor: str) -> Frame:
         probes=(angle_probe(camera),),
         pixels=True,
     )
-    return Frame(
-        (photograph, _outside(camera, f"{wide:.1f}°")),
-        (
-            Readout("Horizontal field", "θ", f"{wide:.1f}", "°"),
-            Readout("Vertical field", "", f"{high:.1f}", "°"),
-            Readout("Diagonal field", "", f"{diagonal:.1f}", "°"),
-            Readout("Focal length in pixels", "fₓ", f"{fx:.0f}", "px"),
-            Readout("35 mm equivalent", "", f"{equivalent:.0f}", "mm"),
-            Readout("Sensor", "", f"{size[0]:g} × {size[1]:g}", "mm"),
-            Readout("This picture", "", f"{w} × {h}", "px"),
-        ),
+    readouts = (
+        Readout("Horizontal field", "θ", f"{wide:.1f}", "°"),
+        Readout("Vertical field", "", f"{high:.1f}", "°"),
+        Readout("Diagonal field", "", f"{diagonal:.1f}", "°"),
+        Readout("Focal length in pixels", "fₓ", f"{fx:.0f}", "px"),
+        Readout("35 mm equivalent", "", f"{equivalent:.0f}", "mm"),
+        Readout("Sensor", "", f"{size[0]:g} × {size[1]:g}", "mm"),
+        Readout("This picture", "", f"{w} × {h}", "px"),
     )
+    return Frame((photograph, _outside(camera, f"{wide:.1f}°")), readouts)
 
 
 def _outside(camera: Camera, angle: str) -> Picture:
