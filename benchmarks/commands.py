@@ -14,7 +14,7 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from benchmarks.compute import clean_environment
@@ -25,7 +25,10 @@ TOKEN = "benchmark"
 
 
 def starting(rounds: int = 5) -> list[Row]:
-    """Measure a second start until Lab answers, and a bare Lab in the same environment."""
+    """Measure a second start until Lab answers, and a bare Lab in the same environment.
+
+    The environment must be the one that start.py made.
+    """
     with tempfile.TemporaryDirectory() as folder:
         python = [sys.executable]
         options = [f"--IdentityProvider.token={TOKEN}", "--allow-root"]
@@ -103,8 +106,11 @@ def _seconds_to_answer(command: list[str], limit: float = 60) -> float:
                 urllib.request.urlopen(address, timeout=5).close()
                 return time.perf_counter() - start
             except (urllib.error.URLError, OSError):
+                if process.poll() is not None:
+                    raise RuntimeError(f"it ended: {' '.join(command)}; try it by hand") from None
                 time.sleep(0.02)
         raise TimeoutError(f"no Lab within {limit:g} s: {' '.join(command)}")
     finally:
-        os.killpg(process.pid, signal.SIGTERM)
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGTERM)
         process.wait()
