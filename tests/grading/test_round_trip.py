@@ -34,7 +34,7 @@ KINDS = [
         "empty-file",
         "renamed",
     ),
-    *(f"misconception-{k}" for k in range(1, 7)),
+    *(f"misconception-{k + 1}" for k in range(max(len(e.misconceptions) for e in EXERCISES))),
 ]
 
 
