@@ -21,8 +21,8 @@ from nbformat.v4 import new_code_cell, new_notebook
 
 from course_lib.authoring.building import notebook_bytes
 from course_lib.authoring.expansion import check_id, grade_id, values_answer
-from course_lib.exercises.pasting import Pasted, paste
 from course_lib.exercises import all_exercises
+from course_lib.exercises.pasting import Pasted, paste
 from course_lib.judging import (
     Exercise,
     Explain,
