@@ -99,9 +99,7 @@ class Close:
         if np.isnan(truth[~right]).all():
             return Mismatch("values", "Some values are numbers that should be NaN (no answer).")
         if np.isclose(array, truth, rtol=3e-3, atol=0, equal_nan=True).all():
-            nearly = (
-                "Nearly right, by less than 0.3 %. Is something rounded, or a small thing missing?"
-            )
+            nearly = "Nearly right, less than 0.3 % off. Is it rounded, or a small thing missing?"
             return Mismatch("values", nearly)
         if array.ndim == 0:
             return Mismatch("values", "The number is not the right one.")
