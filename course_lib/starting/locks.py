@@ -27,9 +27,7 @@ def renew(root: Path, arguments: list[str]) -> int:
     """
     uv = shutil.which("uv")
     if uv is None:
-        raise Trouble(
-            "uv makes the lock files. Install it: pipx install uv, or python3 -m pip install uv"
-        )
+        raise Trouble("uv makes the lock files. Install it, for instance with `pipx install uv`.")
     compile_lock = [uv, "pip", "compile", *OPTIONS, "pyproject.toml", "-"]
     # The tests' file is held to the first one: it may add packages, never change a version.
     extra = ["--extra=test", f"--constraint={LOCKS['run']}"]
