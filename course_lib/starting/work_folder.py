@@ -2,7 +2,7 @@
 
 A small file in the work folder remembers the content that was copied last. A copy that still
 has it was not edited and follows the course's updates; any other stays, and the new version
-is put beside it.
+is put beside it. To run a notebook is not to edit it: only what stands in its cells counts.
 """
 
 import hashlib
@@ -49,7 +49,10 @@ def update(notebooks: Path, work: Path) -> list[str]:
 
 def _update_one(target: Path, new: bytes, memory: dict[str, str]) -> list[str]:
     old = target.read_bytes() if target.exists() else None
-    if old in (None, new):
+    if old is not None and _digest(old) == _digest(new):
+        memory["copied"] = _digest(new)
+        return []  # the same cells; what they printed stays
+    if old is None:
         saying = []
     elif _digest(old) == memory.get("copied"):
         saying = [f"{target.name}: updated (you had not changed it)."]
@@ -57,8 +60,7 @@ def _update_one(target: Path, new: bytes, memory: dict[str, str]) -> list[str]:
         return []  # the student's own version, and no update since it was last looked at
     else:
         return _offer(target, new, memory)
-    if old != new:
-        _write(target, new)
+    _write(target, new)
     memory["copied"] = _digest(new)
     return saying
 
@@ -68,7 +70,7 @@ def _offer(target: Path, new: bytes, memory: dict[str, str]) -> list[str]:
     for beside in _names_beside(target):
         if not beside.exists() or _digest(beside.read_bytes()) == memory.get("offered"):
             _write(beside, new)
-        if beside.read_bytes() == new:
+        if _digest(beside.read_bytes()) == _digest(new):
             break
     memory["offered"] = _digest(new)
     return [f"{target.name}: yours was kept; the course's update is beside it as {beside.name}"]
@@ -108,8 +110,26 @@ def _write(path: Path, content: bytes) -> None:
         new.unlink(missing_ok=True)
 
 
-def _digest(content: bytes | None) -> str:
-    return hashlib.sha256(content or b"").hexdigest()
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(_what_is_written(content)).hexdigest()
+
+
+def _what_is_written(content: bytes) -> bytes:
+    """Return the cells of a notebook without what running it adds; any other file as it is."""
+    try:
+        cells = json.loads(content)["cells"]
+        kept = [
+            {
+                "type": cell["cell_type"],
+                "source": "".join(cell["source"]),
+                "attachments": cell.get("attachments"),
+                "nbgrader": cell["metadata"].get("nbgrader"),
+            }
+            for cell in cells
+        ]
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return content
+    return json.dumps(kept, sort_keys=True).encode()
 
 
 def _count(added: int) -> str:

@@ -146,6 +146,45 @@ def test_originals_are_never_the_work_folder(course):
         update(notebooks, notebooks / "01_pinhole")
 
 
+def notebook(source: str, *, was_run: bool = False) -> str:
+    cell = {"cell_type": "code", "id": "a", "source": [source], "outputs": [], "metadata": {}}
+    if was_run:  # what JupyterLab saves after a look at the notebook
+        cell |= {"outputs": [{"text": "42"}], "execution_count": 3, "metadata": {"trusted": True}}
+    return json.dumps({"cells": [cell], "metadata": {"kernelspec": {}} if was_run else {}})
+
+
+def test_a_notebook_that_was_only_run_keeps_its_outputs(course):
+    notebooks, work = course
+    publish(notebooks, notebook("6 * 7"))
+    update(notebooks, work)
+    (work / NAME).write_text(notebook("6 * 7", was_run=True))
+    assert update(notebooks, work) == []
+    assert (work / NAME).read_text() == notebook("6 * 7", was_run=True)
+
+
+def test_a_notebook_that_was_only_run_follows_an_update(course):
+    notebooks, work = course
+    publish(notebooks, notebook("6 * 7"))
+    update(notebooks, work)
+    (work / NAME).write_text(notebook("6 * 7", was_run=True))
+    publish(notebooks, notebook("6 * 8"))
+    (saying,) = update(notebooks, work)
+    assert "updated" in saying
+    assert (work / NAME).read_text() == notebook("6 * 8")
+    assert not (work / BESIDE).exists()
+
+
+def test_one_changed_letter_in_a_cell_is_an_edit(course):
+    notebooks, work = course
+    publish(notebooks, notebook("6 * 7"))
+    update(notebooks, work)
+    (work / NAME).write_text(notebook("6 * 9", was_run=True))
+    publish(notebooks, notebook("6 * 8"))
+    update(notebooks, work)
+    assert (work / NAME).read_text() == notebook("6 * 9", was_run=True)
+    assert (work / BESIDE).read_text() == notebook("6 * 8")
+
+
 def test_nothing_temporary_stays(course):
     _, work = course
     names = {path.name for path in work.rglob("*") if path.is_file()}
