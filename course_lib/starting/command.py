@@ -17,6 +17,7 @@ FIRST = "00_welcome/00_welcome.ipynb"
 DESCRIPTION = "Open the course in JupyterLab, in your browser. The first start sets it up."
 EPILOG = """\
 other commands:
+  start.py setup        set up, and open nothing
   start.py test [...]   run the course's own tests; [...] goes to pytest,
                         for instance: -m "not slow", -k pinhole, -n 0
   start.py lock [...]   for authors: pin the packages of pyproject.toml anew;
@@ -61,6 +62,10 @@ def dispatch(arguments: list[str]) -> int:
         prepare(env, "test", say)
         workers = str(min(os.cpu_count() or 1, 4))
         return hand_over(env, ["-m", "pytest", "-n", workers, *arguments[1:]], ROOT)
+    if arguments[:1] == ["setup"]:
+        prepare(env, "run", say)
+        say(f"The course is set up in {env.folder}.")
+        return 0
     if arguments[:1] == ["lock"]:
         return locks.renew(ROOT, arguments[1:])
     options = parse(arguments)

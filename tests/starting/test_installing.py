@@ -136,3 +136,12 @@ def test_link_to_the_course_is_relative_where_start_made_it():
     (link,) = here.packages.glob("*camera_course.pth")
     assert (here.packages / link.read_text("ascii").strip()).resolve() == ROOT
     assert ROOT.name not in link.read_text("ascii")
+
+
+def test_setup_opens_nothing():
+    here = Environment(ROOT)
+    if not found(here) or Path(sys.prefix) != here.folder:
+        pytest.skip("these tests do not run in the environment of start.py")
+    command = [sys.executable, "-S", str(ROOT / "start.py"), "setup"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
+    assert done.stdout == f"The course is set up in {here.folder}.\n"
