@@ -1,5 +1,6 @@
 import os
 import re
+import subprocess
 import sys
 import tomllib
 from pathlib import Path
