@@ -6,10 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from nbgrader.converters import Autograde
-from nbgrader.preprocessors import Execute, OverwriteCells
+from nbgrader.preprocessors import ClearOutput, Execute, OverwriteCells
 from traitlets.config import Config
 
 from course_lib.authoring.options import find_scripts, release_options
+from course_lib.grading.labelling import LabelCells
 from course_lib.grading.restoring import RestoreCells
 from course_lib.grading.seeding import ExecuteWithSeed
 from course_lib.grading.verdicts import KeepVerdicts
@@ -28,9 +29,8 @@ def configure(options: Config, key_file: str | Path) -> None:
     find_scripts()
     options.merge(release_options())
     options.ExecuteWithSeed.key_file = str(key_file)
-    options.Autograde.sanitize_preprocessors = _usual("sanitize_preprocessors").put(
-        RestoreCells, before=OverwriteCells
-    )
+    usual = _usual("sanitize_preprocessors").put(RestoreCells, before=OverwriteCells)
+    options.Autograde.sanitize_preprocessors = usual.put(LabelCells, before=ClearOutput)
     options.Autograde.autograde_preprocessors = _usual("autograde_preprocessors").swap(
         Execute, [ExecuteWithSeed, KeepVerdicts]
     )

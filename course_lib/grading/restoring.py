@@ -7,8 +7,9 @@ from typing import Any
 
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_markdown_cell
-from nbgrader.api import Gradebook, SourceCell
 from nbgrader.preprocessors import NbGraderPreprocessor
+
+from course_lib.grading.labelling import GivenCell, read_given
 
 
 class RestoreCells(NbGraderPreprocessor):  # type: ignore[misc]
@@ -23,19 +24,13 @@ class RestoreCells(NbGraderPreprocessor):  # type: ignore[misc]
         self, nb: NotebookNode, resources: dict[str, Any]
     ) -> tuple[NotebookNode, dict[str, Any]]:
         """Restore the cells of one notebook."""
-        which = resources["nbgrader"]
-        with Gradebook(which["db_url"]) as gradebook:
-            notebook = gradebook.find_notebook(which["notebook"], which["assignment"])
-            worth = {cell.name: cell.max_score for cell in notebook.grade_cells}
-            answers = {cell.name for cell in notebook.solution_cells}
-            given = list(notebook.source_cells)
-            restored = [_cell(c, worth.get(c.name), c.name in answers) for c in given]
-        needed = [cell.metadata.nbgrader for cell in restored]
-        for index, cell in enumerate(restored):
-            flags = needed[index]
-            if _position(nb, flags.grade_id) is None and (flags.locked or flags.grade):
-                self.log.warning("Putting back the cell '%s', which was missing", flags.grade_id)
-                nb.cells.insert(_place(nb, [flags.grade_id for flags in needed], index), cell)
+        given = read_given(resources)
+        names = list(given)
+        for index, (name, cell) in enumerate(given.items()):
+            needed = cell.flags["locked"] or cell.flags["grade"]
+            if needed and _position(nb, name) is None:
+                self.log.warning("Putting back the cell '%s', which was missing", name)
+                nb.cells.insert(_place(nb, names, index), _cell(cell))
         return nb, resources
 
 
@@ -52,18 +47,7 @@ def _place(nb: NotebookNode, names: Sequence[str], index: int) -> int:
     return len(nb.cells) if before is None else before + 1
 
 
-def _cell(source: SourceCell, points: float | None, is_answer: bool) -> NotebookNode:
-    new = new_code_cell if source.cell_type == "code" else new_markdown_cell
-    flags = {
-        "cell_type": source.cell_type,
-        "checksum": source.checksum,
-        "grade": points is not None,
-        "grade_id": source.name,
-        "locked": source.locked,
-        "schema_version": 3,
-        "solution": is_answer,
-        "task": False,
-    }
-    worth = {} if points is None else {"points": points}
-    metadata = {"nbgrader": flags | worth}
-    return new(source.source, id=source.name[:56], metadata=metadata)
+def _cell(given: GivenCell) -> NotebookNode:
+    new = new_code_cell if given.flags["cell_type"] == "code" else new_markdown_cell
+    name = str(given.flags["grade_id"])
+    return new(given.source, id=name[:56], metadata={"nbgrader": dict(given.flags)})
