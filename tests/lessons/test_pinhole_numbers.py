@@ -104,8 +104,14 @@ def test_data_sheet():
     assert round(answers["f_px"], 1) == 6307.2
     assert (answers["c_u"], answers["c_v"]) == (1023.5, 959.5)
     assert round(answers["f_calibrated_mm"], 1) == 92.9
-    assert answers["f_calibrated_mm"] - 85 == pytest.approx(7.9, abs=0.05)
-    says("74.2 px/mm", "6307.2", "7.9 mm", "$(1024, 960)$", "9 % larger")
+    assert answers["f_calibrated_mm"] == pytest.approx(92.86, abs=0.005)
+    says("74.2 px/mm", "6307.2", "92.86", "$(1024, 960)$", "9 % larger")
+
+
+def test_best_hole_in_the_explorer():
+    assert round(float(optics.best_pinhole_diameter(75, 0.00055)), 2) == 0.32
+    assert round(float(optics.best_pinhole_diameter(150, 0.00055)), 2) == 0.45
+    says("only from 0.32 mm to 0.45 mm")
     widths = camera.pixel_focal_length(85, (27.55, 25.9), (2048, 1920))[0] - answers["f_px"]
     assert widths == pytest.approx(11, abs=0.6)
     assert pytest.approx(92.9, abs=0.05) == 85 * 1000 / (1000 - 85)
