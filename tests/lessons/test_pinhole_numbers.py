@@ -107,11 +107,6 @@ def test_data_sheet():
     assert answers["f_calibrated_mm"] == pytest.approx(92.86, abs=0.005)
     says("74.2 px/mm", "6307.2", "92.86", "$(1024, 960)$", "9 % larger")
 
-
-def test_best_hole_in_the_explorer():
-    assert round(float(optics.best_pinhole_diameter(75, 0.00055)), 2) == 0.32
-    assert round(float(optics.best_pinhole_diameter(150, 0.00055)), 2) == 0.45
-    says("only from 0.32 mm to 0.45 mm")
     widths = camera.pixel_focal_length(85, (27.55, 25.9), (2048, 1920))[0] - answers["f_px"]
     assert widths == pytest.approx(11, abs=0.6)
     assert pytest.approx(92.9, abs=0.05) == 85 * 1000 / (1000 - 85)
@@ -168,3 +163,9 @@ def test_older_convention_is_ours_with_the_sign_turned():
     forgotten = f * X / (Z + f)
     assert 1 - forgotten / (f * X / Z) == pytest.approx(f / Z, rel=0.01)
     assert pytest.approx(833, abs=0.5) == 5 / 0.006
+
+
+def test_best_hole_in_the_explorer():
+    assert round(float(optics.best_pinhole_diameter(75, 0.00055)), 2) == 0.32
+    assert round(float(optics.best_pinhole_diameter(150, 0.00055)), 2) == 0.45
+    says("only from 0.32 mm to 0.45 mm")
