@@ -33,12 +33,21 @@ from course_lib.judging import (
     pose,
 )
 from data_generators.mishaps import ENDS, NOISES, TROUBLES
+from data_generators.pasting_mishaps import (
+    by_label,
+    label_oddly,
+    label_of,
+    paste_at_end,
+    paste_below,
+)
 
 Solutions = Mapping[str, Callable[..., Any]]
 #: Seeds on which a wrong answer's points are found; they must agree on all of them.
 SEEDS = range(7, 12)
 #: When they were handed in, as nbgrader notes it.
 TIMESTAMP = "2026-10-01 12:00:00 UTC"
+#: Who pasted copies of cells.
+PASTED = "pasted-copies"
 WORDS = "A long lens only enlarges; the faces look flat because we stand farther away."
 
 
@@ -119,10 +128,11 @@ def simulate_class(released: NotebookNode, chapter: str, rewritten: Solutions) -
     -------
     list of Submission
         Right, rewritten, half done, untouched; the k-th misconception of every exercise; answers
-        that fail, or are right but noisy; files with cells deleted or in a bad state.
+        that fail, or are right but noisy; files with cells deleted, pasted twice or in a bad
+        state.
     """
     simulation = Simulation(released, chapter, rewritten)
-    makers = (_good, _misconceived, _troubled, _damaged)
+    makers = (_good, _misconceived, _troubled, _pasted, _damaged)
     return [submission for maker in makers for submission in maker(simulation)]
 
 
@@ -224,6 +234,31 @@ def _troubled(simulation: Simulation) -> Iterator[Submission]:
         yield simulation.hand_in(student, typed | lost)
 
 
+def _pasted(simulation: Simulation) -> Iterator[Submission]:
+    """Hand in copies of cells: what a check met on the way from top to bottom counts."""
+    first, second, third, fourth = simulation.exercises[:4]
+    done = {e.name: right(e) for e in simulation.exercises}
+    bad = {e.name: misconceived(e, e.misconceptions[0]) for e in (first, second)}
+    notebook = _read(simulation.hand_in("", {**done, second.name: bad[second.name]}))
+    cells, given = by_label(notebook), by_label(simulation.released)
+    paste_below(notebook, cells["setup"], cells["setup"].source)
+    # A wrong copy below a right answer, before the check.
+    paste_below(notebook, cells[grade_id(first.name)], bad[first.name].source)
+    # A wrong answer with its check, and a right pair at the end; then the other way round.
+    for one, source in (
+        (second, done[second.name].source),
+        (third, given[grade_id(third.name)].source),
+    ):
+        paste_at_end(notebook, cells[grade_id(one.name)], source)
+        paste_at_end(notebook, cells[check_id(one.name)], cells[check_id(one.name)].source)
+    # The answer typed into a copy below the stub.
+    paste_below(notebook, cells[grade_id(fourth.name)], done[fourth.name].source)
+    cells[grade_id(fourth.name)].source = given[grade_id(fourth.name)].source
+    points = {e.name: e.points for e in simulation.exercises}
+    points[first.name] = bad[first.name].points
+    yield Submission(PASTED, notebook_bytes(notebook), points, (bad[first.name].hint,))
+
+
 def _damaged(simulation: Simulation) -> Iterator[Submission]:
     exercises = simulation.exercises
     whole = simulation.hand_in("whole", {e.name: right(e) for e in exercises})
@@ -231,7 +266,7 @@ def _damaged(simulation: Simulation) -> Iterator[Submission]:
 
     notebook = _read(whole)
     gone = {check_id(first), grade_id(second), check_id(second), "setup"}
-    notebook.cells = [c for c in notebook.cells if _flag(c) not in gone]
+    notebook.cells = [c for c in notebook.cells if label_of(c) not in gone]
     notebook.cells.insert(0, new_code_cell("import numpy as np"))
     points = {**(whole.points or {}), second: 0.0}
     yield Submission("deleted-cells", notebook_bytes(notebook), points)
@@ -241,7 +276,8 @@ def _damaged(simulation: Simulation) -> Iterator[Submission]:
 
     notebook = _read(whole)
     notebook.metadata.kernelspec = {"name": "matlab", "display_name": "M", "language": "matlab"}
-    yield Submission("other-kernel", notebook_bytes(notebook), whole.points)
+    label_oddly(notebook)
+    yield Submission("other-tool", notebook_bytes(notebook), whole.points)
 
     yield Submission("cut-off", whole.content[: len(whole.content) // 2], None)
     yield Submission("empty-file", b"", None)
@@ -250,10 +286,6 @@ def _damaged(simulation: Simulation) -> Iterator[Submission]:
 
 def _read(submission: Submission) -> NotebookNode:
     return nbformat.reads(submission.content.decode("utf-8"), as_version=4)
-
-
-def _flag(cell: NotebookNode) -> str:
-    return str(cell.metadata.get("nbgrader", {}).get("grade_id", ""))
 
 
 def _code(notebook: NotebookNode) -> list[NotebookNode]:

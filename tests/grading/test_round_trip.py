@@ -17,6 +17,7 @@ from course_lib.grading.seeding import grading_seed, read_key
 from course_lib.judging import Exercise, ValuesExercise, pose, seed_for
 from course_lib.judging.text import format_value
 from course_lib.judging.verdict import expected_answer
+from data_generators.classes import PASTED
 
 pytestmark = pytest.mark.slow
 ASSIGNMENT = "01_pinhole"
@@ -27,9 +28,10 @@ KINDS = [
     *(
         "killed",
         "check-replaced",
+        "pasted-copies",
         "deleted-cells",
         "copied-out",
-        "other-kernel",
+        "other-tool",
         "cut-off",
         "empty-file",
         "renamed",
@@ -79,18 +81,26 @@ def test_scores_are_exactly_those_expected(graded, scores, student):
 
 @pytest.mark.parametrize(
     ("student", "points"),
-    [("right", TOTAL), ("rewritten", TOTAL), ("other-kernel", TOTAL), ("untouched", 0)],
+    [("right", TOTAL), ("rewritten", TOTAL), ("other-tool", TOTAL), ("untouched", 0)],
 )
 def test_anchors(scores, student, points):
     assert sum(v or 0 for k, v in scores[student].items() if k.endswith("-check")) == points
 
 
-def test_what_cannot_be_graded_costs_itself_only(graded):
+def test_what_cannot_be_graded_costs_itself_only(graded, scores):
     assert graded.autograde.returncode == 1
+    without = [name for name, points in scores.items() if {*points.values()} == {None}]
+    assert sorted(without) == ["cut-off", "empty-file", "renamed"]
     failed = re.findall(
         r"error processing assignment '\S+' for student '(.+)'", graded.autograde.stderr
     )
     assert sorted(failed) == ["cut-off", "empty-file", "renamed"]
+
+
+def test_the_log_names_who_handed_in_copies_and_raises_no_false_alarm(graded):
+    assert f"{PASTED} handed in more than one copy of: setup, " in graded.autograde.stderr
+    assert "exists multiple times" not in graded.autograde.stderr
+    assert "has changed!" not in graded.autograde.stderr
 
 
 @pytest.mark.parametrize(
