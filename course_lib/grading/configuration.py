@@ -11,8 +11,9 @@ from traitlets.config import Config
 
 from course_lib.authoring.options import find_scripts, release_options
 from course_lib.grading.labelling import LabelCells
+from course_lib.grading.receipts import write_receipts
 from course_lib.grading.restoring import RestoreCells
-from course_lib.grading.seeding import ExecuteWithSeed
+from course_lib.grading.seeding import ExecuteWithSeed, read_key
 from course_lib.grading.verdicts import KeepVerdicts
 
 
@@ -25,7 +26,17 @@ def configure(options: Config, key_file: str | Path) -> None:
         ``c`` of ``nbgrader_config.py``; changed in place.
     key_file : path
         Where the term's key is.
+
+    Raises
+    ------
+    SystemExit
+        If there is no key. nbgrader would report any other error and go on without the course;
+        it asks for a key only after ``autograde --force`` has removed what was graded before.
     """
+    try:
+        read_key(Path(key_file))
+    except ValueError as error:
+        raise SystemExit(f"nbgrader_config.py: {error}.") from error
     find_scripts()
     options.merge(release_options())
     options.ExecuteWithSeed.key_file = str(key_file)
@@ -34,6 +45,7 @@ def configure(options: Config, key_file: str | Path) -> None:
     options.Autograde.autograde_preprocessors = _usual("autograde_preprocessors").swap(
         Execute, [ExecuteWithSeed, KeepVerdicts]
     )
+    options.GenerateFeedback.pre_convert_hook = write_receipts
 
 
 class _Steps(list[type]):

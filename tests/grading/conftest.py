@@ -9,6 +9,9 @@ from small_course import run, write_course
 
 from data_generators.classes import simulate_class, write_submissions
 
+#: The student whose submission was put into place by hand.
+BY_MAIL = "half-done"
+
 
 @pytest.fixture(scope="session")
 def make_term(tmp_path_factory):
@@ -39,6 +42,8 @@ def graded(make_term):
     released = nbformat.read(term / "release/01_pinhole/01_pinhole.ipynb", as_version=4)
     submissions = simulate_class(released, "pinhole", vars(second_solutions))
     write_submissions(term, "01_pinhole", submissions)
+    for name in ("timestamp.txt", "submission_secret.txt"):  # as if it had come by mail
+        (term / "submitted" / BY_MAIL / "01_pinhole" / name).unlink()
     autograde = run("nbgrader", "autograde", "01_pinhole", "--Execute.timeout=10", cwd=term)
     feedback = run("nbgrader", "generate_feedback", "01_pinhole", cwd=term)
     release = run("nbgrader", "release_feedback", "01_pinhole", cwd=term)

@@ -189,6 +189,21 @@ def test_grading_again_gives_the_same(graded, scores):
         assert {g.name: g.auto_score for g in notebook.grades} == scores["misconception-3"]
 
 
+def test_without_the_key_nothing_is_done_and_nothing_removed(graded):
+    key, page = graded.term / "grading.key", graded.term / "autograded/right" / ASSIGNMENT
+    hidden, before = key.rename(key.with_suffix(".away")), sorted(page.iterdir())
+    try:
+        for command in (["autograde", ASSIGNMENT, "--student=right", "--force"], ["export"]):
+            failed = run("nbgrader", *command, cwd=graded.term)
+            assert failed.returncode == 1
+            assert failed.stdout == ""
+            (sentence,) = failed.stderr.splitlines()
+            assert f"no key in {key}: without it nothing can be graded" in sentence
+    finally:
+        hidden.rename(key)
+    assert sorted(page.iterdir()) == before
+
+
 def test_the_table_of_grades(graded, scores):
     assert graded.export.returncode == 0, graded.export.stderr
     with (graded.term / "grades.csv").open(newline="") as file:
