@@ -10,6 +10,7 @@ from nbgrader.preprocessors import ClearOutput, Execute, OverwriteCells
 from traitlets.config import Config
 
 from course_lib.authoring.options import find_scripts, release_options
+from course_lib.grading.feedback_page import FeedbackPage
 from course_lib.grading.labelling import LabelCells
 from course_lib.grading.receipts import write_receipts
 from course_lib.grading.restoring import RestoreCells
@@ -30,8 +31,8 @@ def configure(options: Config, key_file: str | Path) -> None:
     Raises
     ------
     SystemExit
-        If there is no key. nbgrader would report any other error and go on without the course;
-        it asks for a key only after ``autograde --force`` has removed what was graded before.
+        If there is no key. nbgrader would report any other error and go on without the course,
+        and ``autograde --force`` would remove what was graded before it missed the key.
     """
     try:
         read_key(Path(key_file))
@@ -46,6 +47,7 @@ def configure(options: Config, key_file: str | Path) -> None:
         Execute, [ExecuteWithSeed, KeepVerdicts]
     )
     options.GenerateFeedback.pre_convert_hook = write_receipts
+    options.GenerateFeedback.exporter_class = FeedbackPage
 
 
 class _Steps(list[type]):

@@ -150,6 +150,12 @@ def hidden_numbers(exercise, seed):
     return {number for number in numbers if len(number) > 6}
 
 
+def test_contents_of_the_feedback_name_the_exercises(graded):
+    text = feedback(graded, "right")
+    assert re.findall(r"<code>([\w.]+)</code></a> \(Score", text) == [e.name for e in EXERCISES]
+    assert "Test cell" not in text
+
+
 def test_hidden_inputs_differ_between_students_and_from_their_own(graded):
     key, exercise = read_key(graded.term / "grading.key"), find("pinhole.project_pinhole")
     seeds = [grading_seed(key, student, ASSIGNMENT) for student in ("ada", "ben")]
