@@ -8,6 +8,7 @@ from scipy.ndimage import map_coordinates
 from skimage.data import stereo_motorcycle
 
 from course_lib import camera, optics
+from course_lib.drawing.explorers_dolly import dolly_zoom_frame
 from course_lib.exercises.pinhole.sensor import data_sheet
 
 TEXT = (Path(__file__).parents[2] / "lessons" / "01_pinhole.md").read_text(encoding="utf-8")
@@ -95,7 +96,7 @@ def test_principal_point_of_the_photograph_is_off_the_middle():
     assert (width - 1) / 2 - C[0] == pytest.approx(59, abs=0.5)
     halves = np.degrees(np.arctan([(C[0] + 0.5) / F, (width - 0.5 - C[0]) / F]))
     assert halves[1] - halves[0] == pytest.approx(6, abs=0.1)
-    says("59 pixels to the left", "6° more to the right")
+    says("59 pixels to the left")
 
 
 def test_data_sheet():
@@ -169,3 +170,27 @@ def test_best_hole_in_the_explorer():
     assert round(float(optics.best_pinhole_diameter(75, 0.00055)), 2) == 0.32
     assert round(float(optics.best_pinhole_diameter(150, 0.00055)), 2) == 0.45
     says("only from 0.32 mm to 0.45 mm")
+
+
+def test_foreshortening_with_the_middle_of_the_step():
+    f, height = 800, 1.6
+    for near, far, exact, formula in ((5, 7, 73, 71), (13, 15, 13, 13)):
+        assert round(f * height / near - f * height / far) == exact
+        assert round(f * height * 2 / ((near + far) / 2) ** 2) == formula
+    says("it gives 71 px and 13 px")
+
+
+def test_dolly_explorer_shows_what_the_text_says():
+    values = {Z: [r.value for r in dolly_zoom_frame(Z, 28, True).readouts] for Z in (4.0, 12.0)}
+    assert [values[Z][0] for Z in values] == ["112", "112"]
+    assert [values[Z][1] for Z in values] == ["41", "106"]
+    says("stays at 112 px", "from 41 px at $Z = 4$ m to 106 px at 12 m")
+
+
+def test_lens_that_sees_the_same_on_a_smaller_sensor():
+    full, small = (36, 24), (17.3, 13.0)
+    same_width = optics.field_of_view(24, small)[0] - optics.field_of_view(50, full)[0]
+    same_diagonal = optics.field_of_view(25, small)[2] - optics.field_of_view(50, full)[2]
+    assert abs(np.degrees(same_width)) < 0.1
+    assert abs(np.degrees(same_diagonal)) < 0.1
+    says("With 24 mm it sees the same width again, with 25 mm the same diagonal")
