@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from course_lib.drawing.explorers import Frame, Label, Line, Picture, Readout
 from course_lib.drawing.explorers_street import CHART, WIDTH, renderer, upright_camera
+from course_lib.drawing.style import on_screen
 from course_lib.optics import airy_diameter, best_pinhole_diameter, pinhole_blur_diameter
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ def aperture_frame(d: float, s: float, exposure: str) -> Frame:
 
     hole = Hole(d, s, WAVELENGTH)
     brightness = hole.light / Hole(USUAL).light
-    linear = _spread(s).through(hole, 1.0 if exposure == ADJUSTED else brightness)
+    linear = _spread(s).through(hole, 1.0 if exposure == ADJUSTED else on_screen(brightness))
     shadow, rings = _blurs(d, s)
     best = float(best_pinhole_diameter(s, WAVELENGTH))
     photograph = Picture(

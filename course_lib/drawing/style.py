@@ -63,6 +63,23 @@ def rgb(colour: str) -> tuple[int, int, int]:
     return int(colour[1:3], 16), int(colour[3:5], 16), int(colour[5:7], 16)
 
 
+def on_screen(light: float) -> float:
+    """Return the factor on grey values that makes a screen show so much of the light.
+
+    Parameters
+    ----------
+    light : float
+        Part of the light, 0 to 1.
+
+    Returns
+    -------
+    float
+        A screen's light goes with about the 2.2nd power of the grey value (IEC 61966-2-1), so
+        half of the light needs 73 % of the value.
+    """
+    return float(light ** (1 / 2.2))
+
+
 @contextmanager
 def course_style() -> Iterator[None]:
     """Draw with the course's Matplotlib settings inside a ``with`` block."""

@@ -162,9 +162,10 @@ def test_equal_exposures_are_as_bright_as_the_holes_are_large():
     pictures = [
         ax.images[0].get_array() for ax in draw.hole_series(diameters, same_exposure=True).axes[:3]
     ]
-    means = [float(np.mean(picture)) for picture in pictures]
-    assert means[1] / means[0] == pytest.approx(1 / 4, rel=0.03)
-    assert means[2] / means[0] == pytest.approx(1 / 16, rel=0.03)
+    # What a screen makes of grey values: about their 2.2nd power, in light.
+    means = [float(np.mean(picture)) ** 2.2 for picture in pictures]
+    assert means[1] / means[0] == pytest.approx(1 / 4, rel=0.05)
+    assert means[2] / means[0] == pytest.approx(1 / 16, rel=0.05)
 
 
 def test_fan_draws_the_angle_of_each_lens():
@@ -200,7 +201,8 @@ def test_facade_line_is_as_long_as_the_house_is_wide():
 def test_dolly_zoom_keeps_the_chart_and_uses_the_students_lengths():
     titles = [ax.get_title(loc="left") for ax in draw.dolly_strip(24, (3, 6)).axes]
     assert titles[:2] == ["Z = 3 m, f = 24 mm", "Z = 6 m, f = 24 mm"]
-    assert titles[2:] == ["Z = 3 m, f = 24 mm", "Z = 6 m, f = 48 mm"]
+    assert titles[2:] == ["Z = 3 m, f = ?", "Z = 6 m, f = ?"]  # the answer is not given away
+    assert not [ax.images for ax in draw.dolly_strip(24, (3, 6)).axes[2:] if ax.images]
     wrong = draw.dolly_strip(24, (3, 6), yours=[24, 12]).axes
     assert wrong[-1].get_title(loc="left") == "Z = 6 m, f = 12 mm"
-    assert "yours" in wrong[2].get_ylabel()
+    assert "your lenses" in wrong[2].get_ylabel()

@@ -24,29 +24,40 @@ def similar_triangles(f: float = 2.0, X: float = 1.5, Z: float = 6.0) -> Figure:
     Returns
     -------
     Figure
-        Top view: hole, image plane in front of it, optical axis and point.
+        Top view: hole, image plane in front of it, optical axis and point. To look forward is to
+        look to the right in it, so that the camera's right is down.
     """
     x = f * X / Z
-    fig, ax = panels(1, 1, (FULL_WIDTH, 3.1))
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.3))
     sketch(ax)
-    ax.fill([0, Z, Z], [0, 0, X], color=ORANGE, alpha=0.15, lw=0)
-    ax.fill([0, f, f], [0, 0, x], color=GREEN, alpha=0.35, lw=0)
-    stroke(ax, [(0, 0), (Z, X)], "ray")
+    ax.fill([0, Z, Z], [0, 0, -X], color=ORANGE, alpha=0.15, lw=0)
+    ax.fill([0, f, f], [0, 0, -x], color=GREEN, alpha=0.35, lw=0)
+    stroke(ax, [(0, 0), (Z, -X)], "ray")
     _axis(ax, -0.3, Z + 1.3)
-    stroke(ax, [(f, -0.7), (f, 1.2 * X)], "image", lw=3)
-    stroke(ax, [(Z, 0), (Z, X)], "object", lw=3)
-    ax.plot(Z, X, "o", color=ROLES["object"], ms=9)
-    ax.plot(f, x, "o", color=ROLES["image"], ms=9)
+    stroke(ax, [(f, 0.5), (f, -1.2 * X)], "image", lw=3)
+    stroke(ax, [(Z, 0), (Z, -X)], "object", lw=3)
+    ax.plot(Z, -X, "o", color=ROLES["object"], ms=9)
+    ax.plot(f, -x, "o", color=ROLES["image"], ms=9)
     ax.plot(0, 0, "o", color=BLACK, ms=8)
-    write(ax, (0, 0.2), "hole", va="bottom")
-    write(ax, (f - 0.08, x / 2), "$x$", "image", ha="right", fontsize=13)
-    write(ax, (Z + 0.12, X / 2), "$X$", "object", ha="left", fontsize=13)
-    write(ax, (Z, X + 0.2), "point", "object", va="bottom")
-    write(ax, (f, 1.2 * X + 0.1), "image plane", "image", va="bottom")
-    dimension(ax, (0, -0.45), (f, -0.45), "$f$")
-    dimension(ax, (0, -0.95), (Z, -0.95), "$Z$")
-    fit(ax, -0.5, Z + 1.4, -1.2, 1.2 * X + 0.5)
+    write(ax, (-0.15, 0.12), "hole", ha="right", va="bottom")
+    write(ax, (f - 0.08, -x / 2), "$x$", "image", ha="right", fontsize=13)
+    write(ax, (Z + 0.12, -X / 2), "$X$", "object", ha="left", fontsize=13)
+    write(ax, (Z, -X - 0.2), "point", "object", va="top")
+    write(ax, (f, -1.2 * X - 0.1), "image plane", "image", va="top")
+    dimension(ax, (0, 0.7), (f, 0.7), "$f$")
+    dimension(ax, (0, 1.2), (Z, 1.2), "$Z$")
+    _right_and_forward(ax, (-0.9, -0.7))
+    fit(ax, -1.7, Z + 1.4, -1.2 * X - 0.6, 1.5)
     return fig
+
+
+def _right_and_forward(ax: Axes, at: tuple[float, float]) -> None:
+    """Draw the camera's directions as they lie on a page that is seen from above."""
+    arrow = {"arrowstyle": "-|>", "color": BLACK, "shrinkA": 0, "shrinkB": 0}
+    for way, name in (((0.7, 0), "$Z$"), ((0, -0.7), "$X$")):
+        tip = (at[0] + way[0], at[1] + way[1])
+        ax.annotate("", xy=tip, xytext=at, arrowprops=arrow)
+        write(ax, (at[0] + 1.25 * way[0], at[1] + 1.28 * way[1]), name)
 
 
 def _axis(ax: Axes, left: float, right: float) -> None:

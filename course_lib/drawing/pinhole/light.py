@@ -89,7 +89,8 @@ def bare_sensor_and_hole(d: float = 0.3) -> Figure:
         the three lamps on each of its pixels, added up.
     """
     fig, axes = panels(1, 2, (FULL_WIDTH, 2.9))
-    for ax, hole, title in zip(axes, (None, d), ("No hole", "A small hole"), strict=True):
+    titles = ("No hole", f"A hole of d = {d:g}")
+    for ax, hole, title in zip(axes, (None, d), titles, strict=True):
         sketch(ax, title)
         for height, colour in LAMPS:
             for y in _where_rays_end(height, hole):

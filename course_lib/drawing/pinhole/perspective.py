@@ -79,8 +79,10 @@ def house_picture(
     ax.plot(*pixels.T, "o", mfc="none", mec=BLACK, ms=11, mew=1.5, label="the course's function")
     drawn = same_shape(yours, pixels)
     if drawn is not None:
-        for start, end in HOUSE_EDGES:
-            stroke(ax, drawn[[start, end]], "second")
+        for number, (start, end) in enumerate(HOUSE_EDGES):
+            dashes = {"ls": (0, (4, 3)), "lw": 1.2} if number >= len(GABLE) else {"zorder": 3}
+            stroke(ax, drawn[[start, end]], "second", **dashes)
+        ax.fill(*drawn[: len(GABLE)].T, color=ROLES["second"], alpha=0.25, lw=0)
         ax.plot(*drawn.T, "o", color=ROLES["second"], ms=6, label="your function")
     ax.plot(*c, "+", color=GREY, ms=12, label="principal point")
     ax.legend(loc="lower left")

@@ -58,16 +58,16 @@ def pixel_grid(width: int = 8, height: int = 5) -> Figure:
     u, v = np.meshgrid(np.arange(width), np.arange(height))
     ax.plot(u.ravel(), v.ravel(), ".", color=GREY, ms=5)
     c_u, c_v = image_centre((width, height))
-    note = {"arrowprops": {"arrowstyle": "-", "color": BLACK, "lw": 1}, "va": "center"}
-    ax.plot(0, 0, "o", color=BLUE)
-    ax.annotate("(0, 0): centre of the first pixel", (0, 0), (width, 0), color=BLUE, **note)
-    ax.plot(c_u, c_v, "P", color=RED, ms=10)
-    middle = f"middle of the picture: ({c_u:g}, {c_v:g})"
-    ax.annotate(middle, (c_u, c_v), (width, c_v), color=RED, **note)
-    ax.plot([-0.5, width - 0.2], [height - 0.5] * 2, color=BLACK, lw=1)
-    ax.plot(-0.5, height - 0.5, "s", color=GREEN, clip_on=False)
-    corner = f"corner of the picture: (−0.5, {height - 0.5:g})"
-    write(ax, (width, height - 0.5), corner, color=GREEN, ha="left")
+    marks = [
+        ("s", (-0.5, -0.5), "corner of the picture: (−0.5, −0.5)", GREEN),
+        ("o", (0, 0), "centre of the first pixel: (0, 0)", BLUE),
+        ("P", (c_u, c_v), f"middle of the picture: ({c_u:g}, {c_v:g})", RED),
+    ]
+    for row, (marker, at, label, colour) in enumerate(marks):
+        line = {"ls": "", "ms": 10, "color": colour, "clip_on": False}
+        ax.plot(*at, marker, **line)
+        ax.plot(width + 0.3, 0.6 + row, marker, **line)
+        write(ax, (width + 0.7, 0.6 + row), label, color=colour, ha="left")
     ax.set_xlabel("u (px): column", loc="left")
     ax.set(ylabel="v (px): row", xlim=(-0.7, width + 5.5), aspect="equal")
     ax.set(ylim=(height - 0.3, -0.7), xticks=range(width), yticks=range(height))

@@ -18,7 +18,7 @@ from course_lib.camera import (
 )
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
 from course_lib.drawing.explorers_street import renderer
-from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, ORANGE, ROLES
+from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, ORANGE, ROLES, on_screen
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -137,7 +137,10 @@ def street_lines(camera: Camera, yours: ArrayLike | None = None) -> Figure:
     ax.plot(*meeting, "o", mfc="none", mec=BLACK, ms=13, mew=2, ls="", label="vanishing point")
     drawn = same_shape(yours, meeting)
     if drawn is not None:
-        ax.plot(*drawn, "*", color=ROLES["second"], ms=13, ls="", label="your function")
+        width, height = camera.image_size
+        inside = 0 <= drawn[0] <= width - 1 and 0 <= drawn[1] <= height - 1
+        label = "your function" + ("" if inside else ": outside of the picture")
+        ax.plot(*drawn, "*", color=ROLES["second"], ms=13, ls="", label=label)
     ax.legend(loc="lower left", frameon=True, framealpha=0.9)
     return fig
 
@@ -165,19 +168,25 @@ def dolly_strip(
     zoomed = dolly_zoom(f, Z[0], Z)
     drawn = same_shape(yours, zoomed)
     usable = drawn is not None and bool((np.isfinite(drawn) & (drawn > 1)).all())
-    rows = (np.full(len(Z), f), drawn if usable and drawn is not None else zoomed)
+    second = drawn if usable and drawn is not None else [None] * len(Z)
     fig, axes = panels(2, len(Z), (FULL_WIDTH, 4.2))
-    for row, lengths in zip(axes, rows, strict=True):
+    for row, lengths in zip(axes, ([f] * len(Z), second), strict=True):
         for ax, distance, length in zip(row, Z, lengths, strict=True):
-            _chart_from(ax, float(distance), float(length))
+            _chart_from(ax, float(distance), length)
     axes[0, 0].set_ylabel("one lens")
-    axes[1, 0].set_ylabel("dolly zoom" + (" (yours)" if usable else ""))
+    axes[1, 0].set_ylabel("your lenses")
     return fig
 
 
-def _chart_from(ax: Axes, Z: float, f: float) -> None:
-    """Show the letter chart from a distance of `Z` m through a lens of `f` mm."""
+def _chart_from(ax: Axes, Z: float, f: float | None) -> None:
+    """Show the letter chart from a distance of `Z` m through a lens of `f` mm, if there is one."""
     size = (480, 320)
+    if f is None:
+        picture_frame(ax, size)
+        ax.set(xticks=[], yticks=[], xlabel="", ylabel="")
+        ax.set_title(f"Z = {Z:g} m, f = ?", fontsize=10, fontweight="normal")
+        write(ax, (size[0] / 2, size[1] / 2), "your focal length", "guide")
+        return
     K = first_guess_intrinsics(f, FULL_FRAME, size)
     ax.imshow(_photograph(camera_at(CHART - np.array([0, Z, 0]), CHART, K, size)))
     ax.set(xticks=[], yticks=[])
@@ -221,7 +230,7 @@ def hole_series(
     for ax in axes.flat:
         ax.axis("off")
     for ax, d in zip(axes.flat, diameters, strict=False):
-        light = (d / diameters[0]) ** 2 if same_exposure else 1.0
-        ax.imshow(_shown(light * spread.through(Hole(d, image_distance, wavelength))))
+        grey = on_screen((d / diameters[0]) ** 2) if same_exposure else 1.0
+        ax.imshow(_shown(grey * spread.through(Hole(d, image_distance, wavelength))))
         ax.set_title(f"d = {d:g} mm")
     return fig
