@@ -74,24 +74,26 @@ class QuickRenderer:
         ndarray, shape (height, width, 3), uint8
             RGB, linear in light.
         """
-        width, height = camera.image_size
-        picture = np.zeros((height, width, 3), np.uint8)
-        everywhere = (0, 0, width, height)
         patches, parts = self._pieces(camera)
         if not patches:
-            picture[:] = self.scene.background
-            return picture
+            width, height = camera.image_size
+            return np.full((height, width, 3), self.scene.background, np.uint8)
         polygons = Polygons.of(parts).seen_through(camera.K)
         owners = paint.fill_owners(polygons, camera.image_size, self.subpixels)
-        share, box = paint.share_of(owners, 0, everywhere, self.subpixels)
-        if share is not None and box is not None:
-            paint.add_colour(picture, share, box, self.scene.background)
-        boxes = paint.bounding_boxes(polygons, camera.image_size)
         maps, levels = self._texture_maps(np.array(patches), polygons.middle(), camera)
-        for k, patch in enumerate(patches):
+        textures = [
+            self._pyramids[patch].level(*level)
+            for patch, level in zip(patches, levels, strict=True)
+        ]
+        textured = [k for k, texture in enumerate(textures) if texture.shape[:2] != (1, 1)]
+        colours = np.array([self.scene.background, *(texture[0, 0] for texture in textures)])
+        colours[[k + 1 for k in textured]] = 0
+        picture = paint.coloured(owners, colours.astype(np.uint8), self.subpixels)
+        boxes = paint.bounding_boxes(polygons, camera.image_size)
+        for k in textured:
             share, box = paint.share_of(owners, k + 1, boxes[k], self.subpixels)
             if share is not None and box is not None:
-                self._add(picture, patch, share, box, maps[k], levels[k])
+                self._add(picture, patches[k], share, box, maps[k], textures[k])
         return picture
 
     def _add(
@@ -101,14 +103,9 @@ class QuickRenderer:
         share: Picture,
         box: paint.Box,
         homography: Array,
-        level: tuple[int, int],
+        texture: NDArray[np.uint8],
     ) -> None:
-        """Add one piece to the picture."""
-        texture = self._pyramids[patch].level(*level)
-        if texture.shape[:2] == (1, 1):
-            red, green, blue = texture[0, 0].tolist()
-            paint.add_colour(picture, share, box, (red, green, blue))
-            return
+        """Add one textured piece to the picture."""
         wrap = bool((self._repeat[patch] != 1).any())
         rows, columns = texture.shape[:2]
         repeat_u, repeat_v = self._repeat[patch]

@@ -31,7 +31,7 @@ def renderer() -> QuickRenderer:
     from data_generators.places import street
     from data_generators.quick import QuickRenderer
 
-    return QuickRenderer(street())
+    return QuickRenderer(street(), subpixels=2)
 
 
 def upright_camera(
