@@ -159,7 +159,10 @@ def test_contents_of_the_feedback_name_the_exercises(graded):
 def test_hidden_inputs_differ_between_students_and_from_their_own(graded):
     key, exercise = read_key(graded.term / "grading.key"), find("pinhole.project_pinhole")
     seeds = [grading_seed(key, student, ASSIGNMENT) for student in ("ada", "ben")]
-    posed = [hidden_numbers(exercise, seed) for seed in [*seeds, "ada"]]
+    # Hundreds of rounded numbers agree by chance now and then; those with all digits do not.
+    found = [hidden_numbers(exercise, seed) for seed in [*seeds, "ada"]]
+    posed = [{number for number in numbers if len(number) > 12} for numbers in found]
+    assert all(posed)
     assert not posed[0] & posed[1]
     assert not posed[0] & posed[2]
 
