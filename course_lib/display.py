@@ -13,9 +13,15 @@ def show_block(html: str, text: str) -> None:
     html, text : str
         The same content twice.
     """
-    if "ipykernel" in sys.modules:
+    if _in_a_kernel():
         from IPython.display import display
 
         display({"text/html": html, "text/plain": text}, raw=True)
     else:
         print(text)
+
+
+def _in_a_kernel() -> bool:
+    """Return whether a notebook's kernel runs this; that ipykernel is loaded is not enough."""
+    ipython = sys.modules.get("IPython")
+    return ipython is not None and hasattr(ipython.get_ipython(), "kernel")
