@@ -176,6 +176,18 @@ def test_fan_draws_the_angle_of_each_lens():
     assert "your function" in dotted
 
 
+def test_steps_have_their_exact_heights_in_the_picture():
+    texts = [text.get_text() for text in draw.foreshortening(800, 1.6, 2).axes[1].texts]
+    assert [text for text in texts if "px" in text] == [
+        f"{800 * 1.6 * (1 / Z - 1 / (Z + 2)):.0f} px" for Z in (5, 7, 9, 11, 13)
+    ]
+
+
+def test_geometry_and_diffraction_have_the_colours_of_the_explorer():
+    shadow, rings = draw.blur_against_hole().axes[0].lines[:2]
+    assert (shadow.get_color(), rings.get_color()) == (ROLES["ray"], ROLES["image"])
+
+
 def test_sensor_table_has_the_crop_factors():
     texts = " ".join(text.get_text() for text in draw.sensors_to_scale().axes[0].texts)
     for factor in ("1.00", "1.53", "2.00", "2.73"):

@@ -128,7 +128,8 @@ def foreshortening(f: float = 800.0, height: float = 1.6, step: float = 2.0) -> 
     Returns
     -------
     Figure
-        Side view with a ray to the end of each step, and the picture of the steps.
+        Side view with a ray to the end of each step, and the picture of the steps with their
+        heights, px.
     """
     Z = 5 + step * np.arange(6, dtype=np.float64)
     fig, (side, picture) = panels(1, 2, (FULL_WIDTH, 3.4), width_ratios=(1.7, 1))
@@ -139,6 +140,8 @@ def foreshortening(f: float = 800.0, height: float = 1.6, step: float = 2.0) -> 
         road = [(-2, height, near), (2, height, near), (2, height, far), (-2, height, far)]
         tile = project_pinhole(road, f, (319.5, 239.5))
         picture.fill(*tile.T, color=(ORANGE, LIGHT)[k % 2], lw=0)
+        edge, high = tile[1:3].mean(axis=0), tile[0, 1] - tile[2, 1]
+        write(picture, (edge[0] + 20, edge[1]), f"{high:.0f} px", ha="left", fontsize=8)
     picture.axhline(239.5, color=GREY, lw=1.5, ls=(0, (8, 4)))
     write(picture, (319.5, 225), "horizon", "guide")
     picture.set(xlim=(-100, 740), ylim=(520, 200), xlabel="u (px)", ylabel="v (px)")

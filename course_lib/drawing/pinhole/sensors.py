@@ -34,6 +34,8 @@ SENSORS = {
     "1 inch": (13.2, 8.8),
     "1/2.3 inch": (6.17, 4.55),
 }
+#: What a sensor is known from, where its name does not say it.
+FOUND_IN = {"1/2.3 inch": " (compact camera)"}
 
 
 @figure
@@ -139,9 +141,8 @@ def sensors_to_scale(sensors: Mapping[str, tuple[float, float]] | None = None) -
         y = tallest - (k + 0.5) * row
         crop = equivalent_focal_length(1, size)
         ax.plot(39, y, "s", color=colour, ms=10)
-        write(
-            ax, (40.5, y), f"{name}\n{width:g} × {height:g} mm, crop factor {crop:.2f}", ha="left"
-        )
+        label = f"{name}{FOUND_IN.get(name, '')}\n{width:g} × {height:g} mm, crop factor {crop:.2f}"
+        write(ax, (40.5, y), label, ha="left")
     ax.set(xlabel="width (mm)", ylabel="height (mm)", xlim=(0, 66), ylim=(0, tallest * 1.02))
     ax.set(aspect="equal", xticks=range(0, 37, 6), yticks=range(0, 25, 6))
     ax.spines["bottom"].set_bounds(0, 36)

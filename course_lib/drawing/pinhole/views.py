@@ -233,4 +233,6 @@ def hole_series(
         grey = on_screen((d / diameters[0]) ** 2) if same_exposure else 1.0
         ax.imshow(_shown(grey * spread.through(Hole(d, image_distance, wavelength))))
         ax.set_title(f"d = {d:g} mm")
+    if same_exposure:
+        fig.suptitle("Equal exposures, as a screen shows them", fontsize=11)
     return fig
