@@ -12,7 +12,7 @@ from typing import Any
 
 BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 SKY, PURPLE, BLACK, GREY = "#56B4E9", "#CC79A7", "#1A1A1A", "#767676"
-PAPER, LIGHT = "#FFFFFF", "#E8EBEE"
+LIGHT = "#E8EBEE"
 
 #: What a colour means, wherever it appears.
 ROLES = {
@@ -24,8 +24,8 @@ ROLES = {
     "guide": GREY,
 }
 
-#: Figure widths in inches: one column of the notebook, and half of it.
-FULL_WIDTH, HALF_WIDTH = 8.0, 4.0
+#: Width of a figure in inches: one column of the notebook.
+FULL_WIDTH = 8.0
 
 RC: dict[Any, Any] = {
     "figure.figsize": (FULL_WIDTH, 4.0),

@@ -99,8 +99,13 @@ def test_a_wrong_answer_gets_its_hint(pinhole):
     assert "your answer" in verdict
 
 
-def test_a_syntax_error_is_pythons_own_and_the_check_still_speaks(pinhole):
-    assert "of 4 points" in answer(pinhole, BROKEN)
+def test_after_a_syntax_error_the_check_judges_the_function_as_it_was(pinhole):
+    answer(pinhole, WRONG)
+    verdict = answer(pinhole, BROKEN)
+    assert "0 of 4 points" in verdict
+    assert HINT in verdict
+    go_to(pinhole, "def dolly_zoom(")
+    assert "SyntaxError" in pinhole.evaluate(OUTPUT)
 
 
 def test_a_right_answer_earns_all_points(pinhole):

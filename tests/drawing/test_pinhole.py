@@ -164,8 +164,8 @@ def test_equal_exposures_are_as_bright_as_the_holes_are_large():
     ]
     # What a screen makes of grey values: about their 2.2nd power, in light.
     means = [float(np.mean(picture)) ** 2.2 for picture in pictures]
-    assert means[1] / means[0] == pytest.approx(1 / 4, rel=0.05)
-    assert means[2] / means[0] == pytest.approx(1 / 16, rel=0.05)
+    assert means[1] / means[0] == pytest.approx(1 / 4, rel=0.03)
+    assert means[2] / means[0] == pytest.approx(1 / 16, rel=0.03)
 
 
 def test_fan_draws_the_angle_of_each_lens():
@@ -218,3 +218,16 @@ def test_dolly_zoom_keeps_the_chart_and_uses_the_students_lengths():
     wrong = draw.dolly_strip(24, (3, 6), yours=[24, 12]).axes
     assert wrong[-1].get_title(loc="left") == "Z = 6 m, f = 12 mm"
     assert "your lenses" in wrong[2].get_ylabel()
+
+
+@pytest.mark.parametrize(
+    ("yours", "words"),
+    [
+        ((300, 200), "your function"),
+        ((-50, 200), "your function: outside of the picture"),
+        ((np.nan, np.nan), "your function: no point (nan or inf)"),
+    ],
+)
+def test_street_says_where_the_students_point_is(yours, words):
+    legend = draw.street_lines(draw.street_view(14), yours=yours).axes[0].get_legend()
+    assert words in [text.get_text() for text in legend.get_texts()]

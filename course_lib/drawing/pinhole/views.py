@@ -137,12 +137,18 @@ def street_lines(camera: Camera, yours: ArrayLike | None = None) -> Figure:
     ax.plot(*meeting, "o", mfc="none", mec=BLACK, ms=13, mew=2, ls="", label="vanishing point")
     drawn = same_shape(yours, meeting)
     if drawn is not None:
-        width, height = camera.image_size
-        inside = 0 <= drawn[0] <= width - 1 and 0 <= drawn[1] <= height - 1
-        label = "your function" + ("" if inside else ": outside of the picture")
+        label = f"your function{_whereabouts(drawn, camera.image_size)}"
         ax.plot(*drawn, "*", color=ROLES["second"], ms=13, ls="", label=label)
     ax.legend(loc="lower left", frameon=True, framealpha=0.9)
     return fig
+
+
+def _whereabouts(pixel: Floats, size: tuple[int, int]) -> str:
+    """Say why a pixel is not seen in a picture of `size`, or nothing where it is."""
+    if not np.isfinite(pixel).all():
+        return ": no point (nan or inf)"
+    inside = ((pixel >= 0) & (pixel <= np.subtract(size, 1))).all()
+    return "" if inside else ": outside of the picture"
 
 
 @figure
