@@ -6,7 +6,7 @@ from typing import Any
 
 import anywidget
 
-from course_lib.drawing.explorers import Picture
+from course_lib.drawing.explorers.frame import Picture
 from course_lib.widgets.explorer import Explorer
 
 SCRIPT = """

@@ -9,8 +9,12 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 MATHEMATICS = {
-    "camera", "checks", "optics", "pinhole", "transforms",
-}  # fmt: skip
+    "camera",
+    "checks",
+    "optics",
+    "pinhole",
+    "transforms",
+}
 #: Modules of data_generators that write submissions; they stand above the exercises.
 CLASS_MAKERS = {"classes", "mishaps"}
 #: Which of the project's packages each may import; the mathematics is always allowed.

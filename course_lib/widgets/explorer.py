@@ -15,7 +15,7 @@ from typing import Any
 import anywidget
 import traitlets
 
-from course_lib.drawing.explorers import Frame, still
+from course_lib.drawing.explorers.frame import Frame, still
 from course_lib.widgets.controls import Control, Slider
 from course_lib.widgets.messages import encode_frame
 

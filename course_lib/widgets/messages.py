@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.drawing.explorers import Frame, Picture
+from course_lib.drawing.explorers.frame import Frame, Picture
 
 JPEG_QUALITY = 90
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from course_lib.drawing.explorers_aperture import ADJUSTED, FIXED, aperture_frame
-from course_lib.drawing.explorers_dolly import FIRST_F, FIRST_Z, dolly_zoom_frame
-from course_lib.drawing.explorers_focal import SENSORS, focal_length_frame
+from course_lib.drawing.explorers.aperture import ADJUSTED, FIXED, aperture_frame
+from course_lib.drawing.explorers.dolly import FIRST_F, FIRST_Z, dolly_zoom_frame
+from course_lib.drawing.explorers.focal import SENSORS, focal_length_frame
 from course_lib.widgets.controls import Choice, Slider, Switch
 from course_lib.widgets.explorer import Explorer
 

@@ -11,7 +11,7 @@ EXPLORERS = {
     "dolly": ("dolly_zoom_explorer", "Dolly zoom", "Distance Z"),
 }
 CLUMSY = """
-from course_lib.drawing.explorers import Frame, Line, Picture
+from course_lib.drawing.explorers.frame import Frame, Line, Picture
 from course_lib.widgets.controls import Slider
 from course_lib.widgets.explorer import Explorer
 

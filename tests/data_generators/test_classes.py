@@ -1,6 +1,6 @@
 import nbformat
 import pytest
-import second_solutions
+from second_solutions import second_solutions
 from small_course import write_course
 
 from course_lib.authoring.building import build
@@ -22,7 +22,7 @@ def released(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def submissions(released):
-    made = simulate_class(released, "pinhole", vars(second_solutions))
+    made = simulate_class(released, "pinhole", second_solutions("pinhole"))
     return {submission.student: submission for submission in made}
 
 
@@ -38,7 +38,7 @@ def test_every_misconception_occurs(submissions):
 
 def test_the_released_notebook_is_not_touched(released):
     before = nbformat.writes(released)
-    simulate_class(released, "pinhole", vars(second_solutions))
+    simulate_class(released, "pinhole", second_solutions("pinhole"))
     assert nbformat.writes(released) == before
 
 

@@ -2,7 +2,7 @@ import cv2
 import numpy as np
 import pytest
 
-from course_lib.drawing.explorers import Frame, Label, Line, Picture, Probe, Readout, still
+from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Probe, Readout, still
 
 GREY = np.full((60, 80, 3), 128, np.uint8)
 READING = Readout("Field", "θ", "65.5", "°")

@@ -2,14 +2,14 @@ import numpy as np
 import pytest
 
 from course_lib.camera import project
-from course_lib.drawing import explorers_aperture, explorers_dolly, explorers_focal
-from course_lib.drawing import explorers_street as scenery
+from course_lib.drawing.explorers import aperture, dolly, focal
+from course_lib.drawing.explorers import street as scenery
 from course_lib.optics import field_of_view
 
-APERTURE = explorers_aperture.aperture_frame
-FOCAL = explorers_focal.focal_length_frame
-DOLLY = explorers_dolly.dolly_zoom_frame
-ADJUSTED, FIXED = explorers_aperture.ADJUSTED, explorers_aperture.FIXED
+APERTURE = aperture.aperture_frame
+FOCAL = focal.focal_length_frame
+DOLLY = dolly.dolly_zoom_frame
+ADJUSTED, FIXED = aperture.ADJUSTED, aperture.FIXED
 
 
 def value(frame, label):
@@ -50,21 +50,21 @@ def test_the_adjusted_exposure_keeps_the_brightness():
 def test_the_spot_is_drawn_to_scale():
     frame = APERTURE(0.5, 100, ADJUSTED)
     disk = frame.pictures[1].lines[1]
-    width = np.ptp(np.asarray(disk.points)[:, 0]) / explorers_aperture.SPOT_SCALE
+    width = np.ptp(np.asarray(disk.points)[:, 0]) / aperture.SPOT_SCALE
     assert width == pytest.approx(value(frame, "Shadow of the hole"), abs=0.006)
 
 
 # The focal length
 
 
-@pytest.mark.parametrize("sensor", explorers_focal.SENSORS)
+@pytest.mark.parametrize("sensor", focal.SENSORS)
 @pytest.mark.parametrize("f", [4, 28, 300])
 def test_the_pointer_reads_half_the_field_of_view_at_the_edge(sensor, f):
     frame = FOCAL(f, sensor)
     width, _ = frame.pictures[0].size
     angles = frame.pictures[0].probes[0].values
     middle = angles[angles.shape[0] // 2]
-    half = np.degrees(field_of_view(f, explorers_focal.SENSORS[sensor])[0]) / 2
+    half = np.degrees(field_of_view(f, focal.SENSORS[sensor])[0]) / 2
     # The corner pixels' centres lie half a pixel inside the sensor's edge.
     inside = np.degrees(np.arctan(np.tan(np.radians(half)) * (width - 1) / width))
     assert middle.min() == pytest.approx(0, abs=0.2 / f)
@@ -72,7 +72,7 @@ def test_the_pointer_reads_half_the_field_of_view_at_the_edge(sensor, f):
 
 
 def test_the_picture_has_the_shape_of_the_sensor():
-    for sensor, (width, height) in explorers_focal.SENSORS.items():
+    for sensor, (width, height) in focal.SENSORS.items():
         w, h = FOCAL(28, sensor).pictures[0].size
         assert w / h == pytest.approx(width / height, abs=0.005)
 
@@ -88,7 +88,7 @@ def test_a_crop_sensor_shows_the_middle_of_the_full_frame():
 
 
 def test_the_frustum_ends_at_the_corners_of_the_picture():
-    camera = scenery.upright_camera(explorers_focal.EYE, 50, (36, 24))
+    camera = scenery.upright_camera(focal.EYE, 50, (36, 24))
     rectangle, edges, axis = scenery.frustum(camera, 14, camera)
     seen = np.asarray(edges.points)
     corners = scenery.corners(camera)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-import second_solutions
+from second_solutions import second_solutions
 
 from course_lib.exercises import CHAPTERS, all_exercises
 from course_lib.judging import Answer, Exercise, Explain, ValuesExercise, answer, judge, pose
@@ -57,7 +57,7 @@ def test_reference_agrees_with_truth_by_construction(exercise):
 
 @each_exercise
 def test_second_solution_earns_all_points(exercise):
-    second = getattr(second_solutions, exercise.function_name)
+    second = second_solutions(exercise.chapter)[exercise.function_name]
     for seed in SEEDS:
         verdict = verdict_for(exercise, second, seed)
         assert verdict.points == exercise.points, (seed, verdict)

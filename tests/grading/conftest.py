@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import nbformat
 import pytest
-import second_solutions
+from second_solutions import second_solutions
 from small_course import run, write_course
 
 from data_generators.classes import simulate_class, write_submissions
@@ -40,7 +40,7 @@ def graded(make_term):
     """A term in which a whole class was graded, up to feedback and the table of grades."""
     term = make_term("graded")
     released = nbformat.read(term / "release/01_pinhole/01_pinhole.ipynb", as_version=4)
-    submissions = simulate_class(released, "pinhole", vars(second_solutions))
+    submissions = simulate_class(released, "pinhole", second_solutions("pinhole"))
     write_submissions(term, "01_pinhole", submissions)
     for name in ("timestamp.txt", "submission_secret.txt"):  # as if it had come by mail
         (term / "submitted" / BY_MAIL / "01_pinhole" / name).unlink()

@@ -3,7 +3,7 @@
 import nbformat
 import pytest
 from nbgrader.validator import Validator
-from second_solutions import dolly_zoom
+from second_solutions.pinhole import dolly_zoom
 from small_course import write_course
 
 from course_lib.authoring.building import build

@@ -5,7 +5,7 @@ import cv2
 import numpy as np
 import pytest
 
-from course_lib.drawing.explorers import Frame, Picture, Readout
+from course_lib.drawing.explorers.frame import Frame, Picture, Readout
 from course_lib.widgets.controls import Choice, Slider, Switch
 from course_lib.widgets.explorer import Explorer
 

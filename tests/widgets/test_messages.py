@@ -2,7 +2,7 @@ import cv2
 import numpy as np
 import pytest
 
-from course_lib.drawing.explorers import Frame, Label, Line, Picture, Probe, Readout
+from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Probe, Readout
 from course_lib.widgets.messages import encode_frame, i420, jpeg
 
 GRADIENT = np.stack(np.broadcast_arrays(np.arange(60)[None], np.arange(40)[:, None], 200), axis=2)

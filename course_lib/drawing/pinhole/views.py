@@ -17,7 +17,7 @@ from course_lib.camera import (
     vanishing_point,
 )
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
-from course_lib.drawing.explorers_street import renderer
+from course_lib.drawing.explorers.street import renderer
 from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, ORANGE, ROLES, on_screen
 
 if TYPE_CHECKING:

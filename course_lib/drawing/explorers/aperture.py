@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from course_lib.drawing.explorers import Frame, Label, Line, Picture, Readout
-from course_lib.drawing.explorers_street import CHART, WIDTH, renderer, upright_camera
+from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Readout
+from course_lib.drawing.explorers.street import CHART, WIDTH, renderer, upright_camera
 from course_lib.drawing.style import on_screen
 from course_lib.optics import airy_diameter, best_pinhole_diameter, pinhole_blur_diameter
 

@@ -1,13 +1,6 @@
-"""Right answers, written differently from the library: loops, matrices, other formulas."""
-
 import math
 
 import numpy as np
-
-
-def image_centre(image_size):
-    width, height = image_size
-    return np.mean([[0, 0], [width - 1, height - 1]], axis=0)
 
 
 def pixel_focal_length(f, sensor_size, image_size):

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from course_lib.camera import Camera, camera_at, first_guess_intrinsics, pixel_focal_length, project
-from course_lib.drawing.explorers import Frame, Label, Picture, Readout
-from course_lib.drawing.explorers_street import angle_probe, frustum, renderer, upright_camera
+from course_lib.drawing.explorers.frame import Frame, Label, Picture, Readout
+from course_lib.drawing.explorers.street import angle_probe, frustum, renderer, upright_camera
 from course_lib.optics import equivalent_focal_length, field_of_view
 from course_lib.transforms import camera_centre
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from course_lib.camera import Camera, dolly_zoom, pixel_ray, project
-from course_lib.drawing.explorers import Frame, Label, Line, Picture, Readout
-from course_lib.drawing.explorers_street import (
+from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Readout
+from course_lib.drawing.explorers.street import (
     CHART,
     CHART_EDGES,
     angle_probe,

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from course_lib.camera import Camera, first_guess_intrinsics, pixel_ray, project
-from course_lib.drawing.explorers import Line, Probe
+from course_lib.drawing.explorers.frame import Line, Probe
 from course_lib.transforms import camera_centre, rotation_x
 
 if TYPE_CHECKING:
