@@ -208,9 +208,21 @@ function nearest(values, value) {
 function showNumbers(list, readouts) {
   const values = list.querySelectorAll("dd");
   const same = values.length === readouts.length && readouts.every((r, i) => values[i].label === r.label);
-  if (same) return readouts.forEach((r, i) => rewrite(values[i], r.quantity));
+  if (same) return readouts.forEach((r, i) => say(values[i], r));
   const items = readouts.map((r) => make("div", {},
     make("dt", {}, r.label, " ", make("i", { textContent: r.symbol })),
-    make("dd", { textContent: r.quantity, label: r.label })));
+    make("dd", { label: r.label })));
   list.replaceChildren(...items);
+  items.forEach((item, i) => say(item.lastChild, readouts[i]));
+}
+
+// A number is text; a matrix is a table with a name.
+function say(value, readout) {
+  if (!readout.rows.length) return rewrite(value, readout.quantity);
+  const cells = value.querySelectorAll("td");
+  const texts = readout.rows.flat();
+  if (cells.length === texts.length) return texts.forEach((text, i) => rewrite(cells[i], text));
+  const rows = readout.rows.map((row) => make("tr", {}, ...row.map((text) => make("td", { textContent: text }))));
+  value.parentNode.classList.add("ce-wide");
+  value.replaceChildren(make("table", { className: "ce-matrix", ariaLabel: readout.label }, make("tbody", {}, ...rows)));
 }

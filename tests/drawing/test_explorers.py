@@ -2,7 +2,16 @@ import cv2
 import numpy as np
 import pytest
 
-from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Probe, Readout, still
+from course_lib.drawing.explorers.frame import (
+    Frame,
+    Label,
+    Line,
+    Picture,
+    Probe,
+    Readout,
+    matrix,
+    still,
+)
 
 GREY = np.full((60, 80, 3), 128, np.uint8)
 READING = Readout("Field", "θ", "65.5", "°")
@@ -34,3 +43,12 @@ def test_every_ingredient_can_be_drawn():
 def test_errors(image):
     with pytest.raises(ValueError, match=r"Street: expected a uint8 image of shape \(60, 80, 3\)"):
         Picture("Street", "", (80, 60), image)
+
+
+def test_a_matrix_is_a_table_and_can_be_read_in_one_line():
+    reading = matrix("Camera matrix", "P", [[400.04, -0.04, 7], [0, 1, 0.125]], (1, 3))
+    assert reading.rows == (("400.0", "0.0", "7.0"), ("0.000", "1.000", "0.125"))
+    assert reading.quantity == "[400.0 0.0 7.0; 0.000 1.000 0.125]"
+    frame = Frame((Picture("Street", "A grey street.", (80, 60), GREY),), (READING, reading))
+    assert frame.in_words().endswith("Camera matrix P: [400.0 0.0 7.0; 0.000 1.000 0.125]")
+    assert still(frame)[:4] == b"\x89PNG"

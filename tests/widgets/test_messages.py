@@ -1,8 +1,10 @@
+import json
+
 import cv2
 import numpy as np
 import pytest
 
-from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Probe, Readout
+from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Probe, Readout, matrix
 from course_lib.widgets.messages import encode_frame, i420, jpeg
 
 GRADIENT = np.stack(np.broadcast_arrays(np.arange(60)[None], np.arange(40)[:, None], 200), axis=2)
@@ -71,3 +73,10 @@ def test_encoding_leaves_the_picture_alone(encode):
     picture = GRADIENT.astype(np.uint8)
     encode(picture)
     np.testing.assert_array_equal(picture, GRADIENT)
+
+
+def test_a_matrix_arrives_in_rows():
+    frame = Frame((SKETCH,), (matrix("Pose", "R", [[1, 0], [0, 1]], 1), Readout("Field", "θ", "9")))
+    message, _ = encode_frame(frame)
+    rows = [r["rows"] for r in json.loads(json.dumps(message))["readouts"]]
+    assert rows == [[["1.0", "0.0"], ["0.0", "1.0"]], []]

@@ -121,18 +121,49 @@ class Picture:
 
 @dataclass(frozen=True)
 class Readout:
-    """A number of the frame, as it is shown: label, symbol, value and unit."""
+    """A number of the frame, as it is shown: label, symbol, value and unit.
+
+    A matrix has `rows`, the texts of its entries; its value is the same in one line.
+    """
 
     label: str
     symbol: str
     value: str
     unit: str = ""
+    rows: tuple[tuple[str, ...], ...] = ()
 
     @property
     def quantity(self) -> str:
         """Value and unit together: 3 mm, but 3°."""
         gap = "" if self.unit == "°" else " "
         return f"{self.value}{gap}{self.unit}".strip()
+
+
+def matrix(label: str, symbol: str, entries: ArrayLike, digits: ArrayLike = 3) -> Readout:
+    """Return a matrix as a readout.
+
+    Parameters
+    ----------
+    label, symbol : str
+        In words, and as in the formulas.
+    entries : array_like, shape (M, N)
+        The matrix.
+    digits : int or array_like, shape (M,)
+        Decimals of each row.
+
+    Returns
+    -------
+    Readout
+        With a table of the entries, and a value for readers without one.
+    """
+    numbers = np.asarray(entries, dtype=float)
+    decimals = np.broadcast_to(np.asarray(digits), len(numbers)).tolist()
+    # + 0.0 after rounding: no entry is shown as -0
+    rows = tuple(
+        tuple(f"{round(x, d) + 0.0:.{d}f}" for x in row)
+        for row, d in zip(numbers.tolist(), decimals, strict=True)
+    )
+    return Readout(label, symbol, f"[{'; '.join(' '.join(row) for row in rows)}]", rows=rows)
 
 
 @dataclass(frozen=True)
@@ -235,6 +266,7 @@ def _colour(role: str) -> str:
 
 
 def _numbers(frame: Frame) -> str:
-    """Return the numbers of a frame in lines of at most three."""
-    texts = [f"{r.label}: {r.quantity}" for r in frame.readouts]
-    return "\n".join("   ·   ".join(texts[i : i + 3]) for i in range(0, len(texts), 3))
+    """Return the numbers of a frame in lines of at most three, then a line for each matrix."""
+    texts = [f"{r.label}: {r.quantity}" for r in frame.readouts if not r.rows]
+    lines = ["   ·   ".join(texts[i : i + 3]) for i in range(0, len(texts), 3)]
+    return "\n".join(lines + [f"{r.symbol} = {r.quantity}" for r in frame.readouts if r.rows])
