@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike
 
 from course_lib.checks import (
     Array,
-    check_matrix,
-    check_points,
+    check_intrinsics,
     check_rotation,
     check_size,
     check_vector,
@@ -27,11 +26,15 @@ from course_lib.pinhole import (
     project_pinhole,
     vanishing_point,
 )
-from course_lib.transforms import look_at, transform_points
+from course_lib.projection import camera_matrix, decompose_projection, pixel_ray, project
+from course_lib.transforms import camera_centre, look_at
 
 __all__ = [
     "Camera",
     "camera_at",
+    "camera_centre",
+    "camera_matrix",
+    "decompose_projection",
     "dolly_zoom",
     "first_guess_intrinsics",
     "image_centre",
@@ -71,11 +74,8 @@ class Camera:
     image_size: tuple[int, int]
 
     def __post_init__(self) -> None:
-        K = check_matrix(self.K, (3, 3), "K")
-        if (np.diag(K) <= 0).any() or np.tril(K, -1).any() or K[2, 2] != 1:
-            raise ValueError(f"K must be [[fx, s, cx], [0, fy, cy], [0, 0, 1]], got {K.tolist()}")
         for name, value in (
-            ("K", K),
+            ("K", check_intrinsics(self.K)),
             ("R", check_rotation(self.R)),
             ("t", check_vector(self.t, 3, "t")),
         ):
@@ -85,6 +85,56 @@ class Camera:
         if (width, height) != (width // 1, height // 1):
             raise ValueError(f"image_size must be whole pixels, got {self.image_size}")
         object.__setattr__(self, "image_size", (int(width), int(height)))
+
+    @property
+    def P(self) -> Array:
+        """The camera matrix ``K [R | t]``, shape (3, 4)."""
+        return camera_matrix(self.K, self.R, self.t)
+
+    @property
+    def centre(self) -> Array:
+        """The centre of projection in the world frame, shape (3,)."""
+        return camera_centre(self.R, self.t)
+
+    def project(self, points: ArrayLike) -> Array:
+        """Return the image of world points.
+
+        Parameters
+        ----------
+        points : array_like, shape (N, 3) or (3,)
+            Points in the world frame, in rows, in the unit of `t`.
+
+        Returns
+        -------
+        ndarray, shape (N, 2) or (2,)
+            Pixels ``(u, v)``; a row of NaN for a point that is not in front of the camera.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the shape is wrong or a number is not finite.
+        """
+        return project(points, self.P)
+
+    def pixel_ray(self, pixels: ArrayLike) -> Array:
+        """Return the directions in which pixels look; the rays begin at `centre`.
+
+        Parameters
+        ----------
+        pixels : array_like, shape (N, 2) or (2,)
+            Pixels ``(u, v)``, in rows.
+
+        Returns
+        -------
+        ndarray, shape (N, 3) or (3,)
+            Unit vectors in the world frame.
+
+        Raises
+        ------
+        TypeError, ValueError
+            If the shape is wrong or a number is not finite.
+        """
+        return pixel_ray(pixels, self.K, self.R, self.t)[1]
 
 
 def camera_at(
@@ -117,62 +167,3 @@ def camera_at(
     """
     R, t = look_at(eye, target, up)
     return Camera(np.asarray(K), R, t, image_size)
-
-
-def project(points: ArrayLike, camera: Camera) -> Array:
-    """Return the image of world points.
-
-    Parameters
-    ----------
-    points : array_like, shape (N, 3) or (3,)
-        Points in the world frame, in rows, in the unit of ``camera.t``.
-    camera : Camera
-        The camera.
-
-    Returns
-    -------
-    ndarray, shape (N, 2) or (2,)
-        Pixels ``(u, v)``; a row of NaN for a point that is not in front of the camera.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the shape is wrong or a number is not finite.
-
-    References
-    ----------
-    Hartley & Zisserman, Multiple View Geometry, 2nd ed., section 6.1.
-    """
-    points = transform_points(points, camera.R, camera.t)
-    normalised = project_pinhole(points, 1, (0, 0))
-    return normalised @ camera.K[:2, :2].T + camera.K[:2, 2]
-
-
-def pixel_ray(pixels: ArrayLike, camera: Camera) -> Array:
-    """Return the directions in which pixels look: the inverse of `project`, up to the distance.
-
-    Parameters
-    ----------
-    pixels : array_like, shape (N, 2) or (2,)
-        Pixels ``(u, v)``, in rows.
-    camera : Camera
-        The camera. The rays start at its centre.
-
-    Returns
-    -------
-    ndarray, shape (N, 3) or (3,)
-        Unit vectors in the world frame.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the shape is wrong or a number is not finite.
-
-    References
-    ----------
-    Hartley & Zisserman, Multiple View Geometry, 2nd ed., section 6.2.2.
-    """
-    pixels = check_points(pixels, 2, "pixels")
-    homogeneous = np.concatenate([pixels, np.ones_like(pixels[..., :1])], axis=-1)
-    rays = homogeneous @ np.linalg.inv(camera.K).T @ camera.R  # Rᵀ K⁻¹ u, in rows
-    return np.asarray(rays / np.linalg.norm(rays, axis=-1, keepdims=True))

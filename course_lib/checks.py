@@ -120,6 +120,14 @@ def check_pixel_focal(value: ArrayLike, name: str) -> Array:
     return array
 
 
+def check_intrinsics(K: ArrayLike) -> Array:
+    """Return `K` as intrinsics: upper triangular, positive focal lengths, 1 in the corner."""
+    K = check_matrix(K, (3, 3), "K")
+    if (np.diag(K) <= 0).any() or np.tril(K, -1).any() or K[2, 2] != 1:
+        raise ValueError(f"K must be [[fx, s, cx], [0, fy, cy], [0, 0, 1]], got {K.tolist()}")
+    return K
+
+
 def check_rotation(R: ArrayLike, tolerance: float = 1e-6) -> Array:
     """Return `R` as an array, once it is sure to be a rotation.
 

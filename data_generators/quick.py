@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from course_lib.camera import Camera
 from course_lib.checks import Array
-from course_lib.transforms import camera_centre
 from data_generators import paint
 from data_generators.clipping import SLAB, Polygons, clip, slabs, view_planes
 from data_generators.order import back_to_front, side_table
@@ -137,7 +136,7 @@ class QuickRenderer:
         """Return the patches that face the camera and are in view, clipped, camera frame."""
         if not self.scene.patches:
             return [], []
-        eye = camera_centre(camera.R, camera.t)
+        eye = camera.centre
         facing = np.sum(self._normals * (eye - self._origins), axis=1) > 0
         world = self._outlines
         corners = world.corners @ camera.R.T + camera.t
@@ -160,7 +159,7 @@ class QuickRenderer:
 
     def _order(self, patches: list[int], polygons: Polygons, camera: Camera) -> list[int]:
         """Return positions in `patches` from back to front."""
-        eye = camera_centre(camera.R, camera.t)
+        eye = camera.centre
         height: Array = (self._normals[patches] * (eye - self._origins[patches])).sum(axis=1)
         front, behind = (table[np.ix_(patches, patches)] for table in self._sides)
         eye_in_front = (height > 0)[:, None]

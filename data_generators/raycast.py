@@ -11,9 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from course_lib.camera import Camera, pixel_ray
+from course_lib.camera import Camera
 from course_lib.checks import Array
-from course_lib.transforms import camera_centre
 from data_generators.pyramid import TexturePyramid
 from data_generators.scene import Patch, Scene
 
@@ -51,8 +50,8 @@ def rays(camera: Camera, pixels: Array) -> tuple[Array, Array]:
     origins, directions : ndarray, shape (N, 3)
         In the world, m; the directions are unit vectors.
     """
-    directions = pixel_ray(pixels, camera)
-    return np.broadcast_to(camera_centre(camera.R, camera.t), directions.shape), directions
+    directions = camera.pixel_ray(pixels)
+    return np.broadcast_to(camera.centre, directions.shape), directions
 
 
 class SceneIndex:

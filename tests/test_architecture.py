@@ -13,6 +13,7 @@ MATHEMATICS = {
     "checks",
     "optics",
     "pinhole",
+    "projection",
     "transforms",
 }
 #: Modules of data_generators that write submissions; they stand above the exercises.
@@ -28,7 +29,7 @@ MAY_IMPORT = {
         "course_lib.notebook",
     },
     "course_lib.judging": set(),
-    "course_lib.drawing": {"data_generators"},
+    "course_lib.drawing": {"data_generators", "course_lib.display"},
     "course_lib.exercises": {"course_lib.judging", "course_lib.drawing"},
     "course_lib.widgets": {"course_lib.drawing", "data_generators"},
     "course_lib.environment": {"course_lib.display"},

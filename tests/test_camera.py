@@ -5,19 +5,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from course_lib import camera, pinhole
+from course_lib import camera, pinhole, projection
 from course_lib.camera import (
     Camera,
     camera_at,
     dolly_zoom,
     first_guess_intrinsics,
     pixel_focal_length,
-    pixel_ray,
-    project,
     project_pinhole,
     vanishing_point,
 )
-from course_lib.transforms import camera_centre, look_at
+from course_lib.transforms import look_at
 
 SENSOR, IMAGE = (36.0, 24.0), (6000, 4000)
 K = np.array([[810.0, 3.0, 318.0], [0.0, 790.0, 242.0], [0.0, 0.0, 1.0]])
@@ -186,10 +184,10 @@ class TestDollyZoom:
 class TestCamera:
     def test_shapes(self):
         cam = a_camera()
-        assert project((0, 0, 0), cam).shape == (2,)
-        assert project(np.zeros((4, 3)), cam).shape == (4, 2)
-        assert pixel_ray((0, 0), cam).shape == (3,)
-        assert pixel_ray(np.zeros((4, 2)), cam).shape == (4, 3)
+        assert cam.project((0, 0, 0)).shape == (2,)
+        assert cam.project(np.zeros((4, 3))).shape == (4, 2)
+        assert cam.pixel_ray((0, 0)).shape == (3,)
+        assert cam.pixel_ray(np.zeros((4, 2))).shape == (4, 3)
         assert cam.image_size == (640, 480)
 
     @pytest.mark.parametrize(
@@ -220,24 +218,24 @@ class TestCamera:
     def test_round_trip(self):
         cam = a_camera()
         pixels = np.random.default_rng(0).uniform(0, 480, (50, 2))
-        rays = pixel_ray(pixels, cam)
+        rays = cam.pixel_ray(pixels)
         np.testing.assert_allclose(np.linalg.norm(rays, axis=1), 1)
-        seen = project(camera_centre(cam.R, cam.t) + 3.7 * rays, cam)
+        seen = cam.project(cam.centre + 3.7 * rays)
         np.testing.assert_allclose(seen, pixels, atol=1e-9)
 
     def test_accuracy(self):
         # The target is seen in the principal point, and what stands above it higher up.
-        uv = project([(0, 0, 0.5), (0, 0, 0.7)], a_camera())
+        uv = a_camera().project([(0, 0, 0.5), (0, 0, 0.7)])
         np.testing.assert_allclose(uv[0], K[:2, 2])
         assert uv[1, 1] < uv[0, 1]
         assert uv[1, 0] == pytest.approx(uv[0, 0], abs=0.2)  # the skew moves it a little
 
     def test_degenerate(self):
         cam = Camera(K, *look_at((0, -1, 0), (0, 0, 0)), (640, 480))
-        behind = project([(0, -2, 0), (5, -1, 3)], cam)
+        behind = cam.project([(0, -2, 0), (5, -1, 3)])
         assert np.isnan(behind).all()
 
 
-@pytest.mark.parametrize("module", [pinhole, camera])
+@pytest.mark.parametrize("module", [pinhole, projection, camera])
 def test_examples_run(module):
     assert doctest.testmod(module).failed == 0

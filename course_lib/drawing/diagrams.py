@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
-from typing import TYPE_CHECKING, Any, ParamSpec
+from inspect import signature
+from typing import TYPE_CHECKING, Any, ParamSpec, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,27 +20,52 @@ P = ParamSpec("P")
 Floats = NDArray[np.float64]
 
 
-def figure(draw: Callable[P, Figure]) -> Callable[P, Figure]:
+@overload
+def figure(draw: Callable[P, Figure], /) -> Callable[P, Figure]: ...
+@overload
+def figure(description: str, /) -> Callable[[Callable[P, Figure]], Callable[P, Figure]]: ...
+def figure(argument: Any, /) -> Any:
     """Draw in the course's style, and show the figure once: as the value of its cell.
+
+    Use it as ``@figure`` or, better, as ``@figure("What the picture shows, in a sentence.")``. A
+    field such as ``{f:g}`` in the sentence is filled with the function's argument of that name.
 
     Parameters
     ----------
-    draw : callable
-        A function that returns a Matplotlib figure.
+    argument : str or callable
+        The text alternative of the figure; or the function itself, which returns a Matplotlib
+        figure. Then the first line of its docstring is the text alternative.
 
     Returns
     -------
     callable
-        The same function; its figure is closed, so that a notebook does not show it twice.
+        The same function; its figure is a `DescribedFigure` and is closed, so that a notebook
+        does not show it twice.
     """
+    if isinstance(argument, str):
+        return lambda draw: _styled(draw, argument)
+    summary = (argument.__doc__ or "").strip().partition("\n")[0]
+    return _styled(argument, summary.replace("{", "{{").replace("}", "}}"))
+
+
+def _styled(draw: Callable[P, Figure], description: str) -> Callable[P, Figure]:
+    """Return `draw` with the course's style around it and a description of its figure."""
+    parameters = signature(draw)
 
     @wraps(draw)
     def styled(*args: P.args, **kwargs: P.kwargs) -> Figure:
         import matplotlib.pyplot as plt
 
+        from course_lib.drawing.described import DescribedFigure
+
         with course_style():
             drawn = draw(*args, **kwargs)
         plt.close(drawn)
+        given = parameters.bind(*args, **kwargs)
+        given.apply_defaults()
+        drawn.__class__ = DescribedFigure  # whatever made it: `panels`, or pyplot
+        assert isinstance(drawn, DescribedFigure)
+        drawn.description = description.format(**given.arguments)
         return drawn
 
     return styled

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.camera import Camera, camera_at, project
+from course_lib.camera import Camera, camera_at
 from course_lib.drawing.diagrams import figure, fit, panels, picture_frame, sketch, write
 from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREY, LIGHT, ROLES
 
@@ -144,12 +144,11 @@ def _frustum(ax: Axes, onlooker: Camera, camera: Camera, depth: float = 2.0) -> 
     corners = np.array([[0, 0], [width, 0], [width, height], [0, height]]) - 0.5
     rays = np.column_stack([corners, np.ones(4)]) @ np.linalg.inv(camera.K).T * depth
     world = (rays - camera.t) @ camera.R
-    centre = -camera.R.T @ camera.t
-    plane = project(world, onlooker)
+    plane = onlooker.project(world)
     ax.fill(*plane.T, fc=ROLES["image"], alpha=0.18, ec="none")
     ax.plot(*np.vstack([plane, plane[:1]]).T, color=ROLES["image"], lw=1.5)
     for corner in world:
-        ax.plot(*project([centre, corner], onlooker).T, color=GREY, lw=0.8)
+        ax.plot(*onlooker.project([camera.centre, corner]).T, color=GREY, lw=0.8)
     u, v = plane.mean(axis=0)
     ax.text(u + 20, v + 14, "picture", color=ROLES["image"], ha="center")
 
@@ -163,9 +162,9 @@ def _axes_of(
     colour: str,
     label: str,
 ) -> None:
-    start = project(origin, onlooker)
+    start = onlooker.project(origin)
     for name, direction in zip(names, directions, strict=True):
-        tip = project(origin + direction, onlooker)
+        tip = onlooker.project(origin + direction)
         arrow = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", xy=tuple(tip), xytext=tuple(start), arrowprops=arrow)
         beyond = tip + 13 * (tip - start) / np.linalg.norm(tip - start)

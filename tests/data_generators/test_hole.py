@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from course_lib.camera import Camera, camera_at, first_guess_intrinsics, project
+from course_lib.camera import Camera, camera_at, first_guess_intrinsics
 from course_lib.optics import airy_diameter, pinhole_blur_diameter
 from data_generators.hole import Hole, Spread, hole_cameras, through_points, transfer, with_margin
 from data_generators.places import street, street_camera
@@ -111,8 +111,8 @@ class TestSpot:
     def test_cameras_see_the_disk(self):
         # The images of one point through all points of the hole fill its disk.
         camera, hole, Z = facing_camera(), Hole(2.0), 0.5
-        seen = np.array([project((0.01, 0.02, Z), c) for c in hole_cameras(camera, hole, 500)])
-        centre = project((0.01, 0.02, Z), camera)
+        seen = np.array([c.project((0.01, 0.02, Z)) for c in hole_cameras(camera, hole, 500)])
+        centre = camera.project((0.01, 0.02, Z))
         radius = np.linalg.norm(seen - centre, axis=1).max() * PITCH
         assert 2 * radius == pytest.approx(pinhole_blur_diameter(2.0, 100, 500), rel=2e-3)
         np.testing.assert_allclose(seen.mean(axis=0), centre, atol=0.05)
@@ -166,4 +166,4 @@ class TestSeries:
         assert wide.image_size == (128 + 2 * columns, 96 + 2 * rows)
         assert min(columns, rows) >= 20
         point = (0.3, 1.0, 0.8)
-        np.testing.assert_allclose(project(point, wide), np.add(project(point, camera), margin))
+        np.testing.assert_allclose(wide.project(point), np.add(camera.project(point), margin))

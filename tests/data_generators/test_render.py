@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from course_lib.camera import Camera, camera_at, first_guess_intrinsics, project
+from course_lib.camera import Camera, camera_at, first_guess_intrinsics
 from data_generators import quick
 from data_generators.places import street, street_camera
 from data_generators.quick import QuickRenderer
@@ -61,7 +61,7 @@ class TestBothEngines:
         camera = board_camera(rng)
         # A little blur, as of any lens: the detector wants edges a pixel wide.
         grey = cv2.GaussianBlur(make_with(engine, scene, camera)[..., 1], (0, 0), 1.0)
-        expected = project(corners, camera)
+        expected = camera.project(corners)
         # OpenCV looks for each corner from a start that is up to 1.5 px off.
         start = (expected + rng.uniform(-1.5, 1.5, expected.shape)).astype(np.float32)
         stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_COUNT, 100, 1e-4)

@@ -1,8 +1,15 @@
 """The small pieces that the still figures are drawn with."""
 
+import re
+from base64 import b64decode
+from html import unescape
+from io import BytesIO
+
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from IPython.core.formatters import DisplayFormatter
+from matplotlib.figure import Figure
 
 from course_lib.drawing import diagrams
 from course_lib.drawing.style import RC
@@ -28,6 +35,48 @@ def test_figure_is_drawn_in_the_courses_style_and_closed():
     assert plt.rcParams["font.size"] == before
     assert not plt.get_fignums()
     assert (example.__name__, example.__doc__) == ("example", "Say something.")
+
+
+def drawn_by(decorator, make=lambda: plt.subplots()[0]):
+    @decorator
+    def example(f=50.0, name="a {b}"):
+        """Show nothing, with {braces}.
+
+        More.
+        """
+        return make()
+
+    return example(f=85)
+
+
+def test_a_figure_is_described_by_its_sentence_and_arguments():
+    decorator = diagrams.figure("An <empty> figure, f = {f:g} mm, {name}.")
+    for make in (lambda: plt.subplots()[0], lambda: diagrams.panels(1, 2, (4, 2))[0], Figure):
+        drawn = drawn_by(decorator, make)
+        assert isinstance(drawn, Figure)
+        assert drawn.description == "An <empty> figure, f = 85 mm, a {b}."
+    assert not plt.get_fignums()
+
+
+def test_a_figure_without_a_sentence_is_described_by_its_docstring():
+    assert drawn_by(diagrams.figure).description == "Show nothing, with {braces}."
+
+
+def test_a_notebook_gets_the_picture_with_its_text_alternative():
+    drawn = drawn_by(diagrams.figure('5 < 6 & "so on".'))
+    (alt, data) = re.fullmatch(
+        r'<img alt="([^"]*)" src="data:image/png;base64,([^"]*)">', drawn.html()
+    ).groups()
+    assert unescape(alt) == '5 < 6 & "so on".'
+    picture = plt.imread(BytesIO(b64decode(data)))
+    assert picture.shape[2] == 4
+    assert picture.min() == 0  # the axes are drawn
+
+
+def test_a_terminal_gets_the_words(capsys):
+    shell = DisplayFormatter()
+    assert shell.format(drawn_by(diagrams.figure("A figure."))) == ({}, {})
+    assert capsys.readouterr().out == "A figure.\n"
 
 
 @pytest.mark.parametrize("height", [2.0, -2.0])

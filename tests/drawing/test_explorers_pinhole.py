@@ -1,7 +1,6 @@
 import numpy as np
 import pytest
 
-from course_lib.camera import project
 from course_lib.drawing.explorers import aperture, dolly, focal
 from course_lib.drawing.explorers import street as scenery
 from course_lib.optics import field_of_view
@@ -129,7 +128,7 @@ def test_uncoupled_the_chart_shrinks_with_distance():
 def test_the_bracket_is_as_high_as_the_chart_in_the_picture():
     frame = DOLLY(4, 28, True)
     camera = scenery.upright_camera((1.75, 1.0, 1.65), 28, (36, 24))
-    edges = project([[*scenery.CHART, z] for z in scenery.CHART_EDGES], camera)
+    edges = camera.project([[*scenery.CHART, z] for z in scenery.CHART_EDGES])
     bracket = np.asarray(frame.pictures[0].lines[0].points)
     assert np.ptp(bracket[:, 1]) == pytest.approx(np.ptp(edges[:, 1]), abs=1e-6)
 

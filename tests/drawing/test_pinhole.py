@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from course_lib.camera import project_pinhole, vanishing_point
 from course_lib.drawing import pinhole as draw
-from course_lib.drawing.pinhole import light, views
+from course_lib.drawing.pinhole import light
 from course_lib.drawing.style import ROLES
 from course_lib.optics import best_pinhole_diameter, field_of_view
 
@@ -199,7 +199,7 @@ def test_road_of_the_rendered_street_ends_in_the_vanishing_point(turn, tilt):
     camera = draw.street_view(turn, tilt)
     d = draw.road_direction(camera)
     meeting = vanishing_point(d, np.diag(camera.K)[:2], camera.K[:2, 2])
-    far = views.project((0, 1e7, 0), camera)
+    far = camera.project((0, 1e7, 0))
     np.testing.assert_allclose(far, meeting, atol=1e-3)
     angle = np.degrees(np.arccos(d[2]))
     assert angle == pytest.approx(np.degrees(np.arccos(np.prod(np.cos(np.radians([turn, tilt]))))))

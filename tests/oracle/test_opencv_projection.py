@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from course_lib.camera import Camera, first_guess_intrinsics, project, project_pinhole
+from course_lib.camera import Camera, first_guess_intrinsics, project_pinhole
 from course_lib.optics import field_of_view
 from course_lib.transforms import compose, rotation_x, rotation_y, rotation_z
 
@@ -28,7 +28,7 @@ def test_project_agrees(seed):
     camera = random_camera(rng)
     points = points_in_front(rng, camera)
     expected, _ = cv2.projectPoints(points, cv2.Rodrigues(camera.R)[0], camera.t, camera.K, None)
-    np.testing.assert_allclose(project(points, camera), expected[:, 0], atol=1e-6)
+    np.testing.assert_allclose(camera.project(points), expected[:, 0], atol=1e-6)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

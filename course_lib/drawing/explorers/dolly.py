@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from course_lib.camera import Camera, dolly_zoom, pixel_ray, project
+from course_lib.camera import Camera, dolly_zoom
 from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Readout
 from course_lib.drawing.explorers.street import (
     CHART,
@@ -14,7 +14,6 @@ from course_lib.drawing.explorers.street import (
     upright_camera,
 )
 from course_lib.optics import field_of_view
-from course_lib.transforms import camera_centre
 from data_generators.places import HOUSES, KERB, TREES
 
 SENSOR = (36.0, 24.0)  # mm
@@ -50,7 +49,7 @@ def dolly_zoom_frame(Z: float, f: float, coupled: bool) -> Frame:
         f = float(dolly_zoom(FIRST_F, FIRST_Z, Z))
     x, y = CHART
     camera = upright_camera((float(x), float(y) - Z, EYE_HEIGHT), f, SENSOR)
-    subject, tree = project(SUBJECT, camera), project(TREE, camera)
+    subject, tree = camera.project(SUBJECT), camera.project(TREE)
     heights = [float(abs(ends[1, 1] - ends[0, 1])) for ends in (subject, tree)]
     angle = float(np.degrees(field_of_view(f, SENSOR)[0]))
     words = f"Letter chart {Z:.1f} m away with {f:.0f} mm: {heights[0]:.0f} px high; "
@@ -81,7 +80,7 @@ def _marks(ends: np.ndarray, role: str) -> Line:
 
 def _map(camera: Camera, Z: float, angle: float) -> Picture:
     """Return the shot from above: north is up."""
-    centre = camera_centre(camera.R, camera.t)[:2]
+    centre = camera.centre[:2]
     board = CHART + np.array([[-0.6, 0.0], [0.6, 0.0]])
     gap = np.array([[CHART[0] + 2, CHART[1]], [CHART[0] + 2, centre[1]]])
     return Picture(
@@ -107,9 +106,9 @@ def _map(camera: Camera, Z: float, angle: float) -> Picture:
 
 def _fan(camera: Camera) -> np.ndarray:
     """Return the sides of what a camera sees at the height of its axis, on the map, m."""
-    centre = camera_centre(camera.R, camera.t)[:2]
+    centre = camera.centre[:2]
     w, h = camera.image_size
-    sides = pixel_ray([[-0.5, (h - 1) / 2], [w - 0.5, (h - 1) / 2]], camera)[:, :2]
+    sides = camera.pixel_ray([[-0.5, (h - 1) / 2], [w - 0.5, (h - 1) / 2]])[:, :2]
     reach = (NORTH_END - centre[1]) * sides / sides[:, 1:]
     return np.array([centre + reach[0], centre, centre + reach[1]])
 

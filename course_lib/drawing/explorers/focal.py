@@ -7,11 +7,10 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from course_lib.camera import Camera, camera_at, first_guess_intrinsics, pixel_focal_length, project
+from course_lib.camera import Camera, camera_at, first_guess_intrinsics, pixel_focal_length
 from course_lib.drawing.explorers.frame import Frame, Label, Picture, Readout
 from course_lib.drawing.explorers.street import angle_probe, frustum, renderer, upright_camera
 from course_lib.optics import equivalent_focal_length, field_of_view
-from course_lib.transforms import camera_centre
 
 #: Width and height, mm.
 SENSORS = {
@@ -69,7 +68,7 @@ def focal_length_frame(f: float, sensor: str) -> Frame:
 def _outside(camera: Camera, angle: str) -> Picture:
     """Return the street from above, with the camera's field of view in it."""
     view, picture = _bird()
-    foot = project(camera_centre(camera.R, camera.t), view)
+    foot = view.project(camera.centre)
     return Picture(
         "The camera from outside",
         f"The street from above; the camera's pyramid of sight opens {angle} to the sides.",

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from course_lib.camera import Camera, first_guess_intrinsics, pixel_ray, project
+from course_lib.camera import Camera, first_guess_intrinsics
 from course_lib.drawing.explorers.frame import Line, Probe
-from course_lib.transforms import camera_centre, rotation_x
+from course_lib.transforms import rotation_x
 
 if TYPE_CHECKING:
     from data_generators.quick import QuickRenderer
@@ -82,8 +82,8 @@ def frustum(camera: Camera, depth: float, through: Camera) -> tuple[Line, ...]:
     tuple of Line
         The four edges and the far rectangle, and the optical axis dashed.
     """
-    centre = camera_centre(camera.R, camera.t)
-    rays = pixel_ray(corners(camera), camera)
+    centre = camera.centre
+    rays = camera.pixel_ray(corners(camera))
     far = centre + depth * rays / (rays @ camera.R[2])[:, None]
     edges = np.concatenate([_segment(centre, corner) for corner in far])
     around = np.concatenate(
@@ -108,7 +108,7 @@ def _seen(points: Floats, through: Camera) -> Floats:
     """Return the image of points in rows, NaN rows kept."""
     image = np.full((len(points), 2), np.nan)
     there = ~np.isnan(points).any(axis=1)
-    image[there] = project(points[there], through)
+    image[there] = through.project(points[there])
     return image
 
 
@@ -116,6 +116,6 @@ def angle_probe(camera: Camera) -> Probe:
     """Return the angle between the optical axis and the ray of the pixel, in degrees."""
     w, h = camera.image_size
     u, v = np.meshgrid(np.linspace(0, w - 1, 25), np.linspace(0, h - 1, 17))
-    rays = pixel_ray(np.stack([u.ravel(), v.ravel()], axis=1), camera)
+    rays = camera.pixel_ray(np.stack([u.ravel(), v.ravel()], axis=1))
     angle = np.degrees(np.arccos(np.clip(rays @ camera.R[2], -1, 1)))
     return Probe("angle from the axis", "°", angle.reshape(u.shape))

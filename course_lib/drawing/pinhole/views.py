@@ -13,7 +13,6 @@ from course_lib.camera import (
     camera_at,
     dolly_zoom,
     first_guess_intrinsics,
-    project,
     vanishing_point,
 )
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
@@ -67,7 +66,7 @@ def facade(
     eye, K = middle + np.array([Z, 0, 0]), first_guess_intrinsics(f, sensor_size, shown)
     camera = camera_at(eye, middle, K, shown)
     corners = [(FRONT_X, y, FRONT_HEIGHT * 0.62) for y in FRONT_Y]
-    ends = (project(corners, camera) + 0.5) * image_size[0] / shown[0] - 0.5
+    ends = (camera.project(corners) + 0.5) * image_size[0] / shown[0] - 0.5
     fig, ax = panels(1, 1, (6.4, 5.6))
     width, height = image_size
     longer = 1.25  # the front lies in the shade
@@ -130,7 +129,7 @@ def street_lines(camera: Camera, yours: ArrayLike | None = None) -> Figure:
     picture_frame(ax, camera.image_size)
     ax.set_autoscale_on(False)
     for x, z, y in ROAD_LINES:
-        near = project((x, y, z), camera)
+        near = camera.project((x, y, z))
         ax.plot(*np.array([near, meeting]).T, color=ORANGE, lw=2)
     across = vanishing_point(camera.R @ (1.0, 1.0, 0.0), f, c)  # another level direction
     ax.axline(meeting, across, color=BLUE, lw=2, ls=(0, (8, 4)), label="horizon")
