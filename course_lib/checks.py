@@ -38,16 +38,20 @@ def check_numbers(value: ArrayLike, name: str) -> Array:
     ValueError
         If it holds NaN or infinity, or rows of different lengths.
     """
+    array = _real_numbers(value, name)
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name} must be finite, got NaN or infinity: remove those entries first")
+    return array
+
+
+def _real_numbers(value: ArrayLike, name: str) -> Array:
     try:
         array = np.asarray(value)
     except ValueError as error:
         raise ValueError(f"{name}: the rows have different lengths; make them equal") from error
     if array.dtype.kind not in "iuf":
         raise TypeError(f"{name} must be real numbers, got {value!r:.60}")
-    array = array.astype(np.float64, copy=False)
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name} must be finite, got NaN or infinity: remove those entries first")
-    return array
+    return array.astype(np.float64, copy=False)
 
 
 def check_number(value: ArrayLike, name: str) -> float:
@@ -64,6 +68,30 @@ def check_positive(value: ArrayLike, name: str) -> Array:
     if (array <= 0).any():
         raise ValueError(f"{name} must be positive, got {array.min():g}: check its sign and unit")
     return array
+
+
+def check_not_negative(value: ArrayLike, name: str) -> Array:
+    """Return `value`, a number or an array of any shape, as finite numbers from zero upwards."""
+    array = check_numbers(value, name)
+    if (array < 0).any():
+        raise ValueError(f"{name} must not be negative, got {array.min():g}: check its sign")
+    return array
+
+
+def check_distance(value: ArrayLike, name: str) -> Array:
+    """Return `value` as positive numbers; infinity, the distance of a star, is one of them."""
+    array = _real_numbers(value, name)
+    check_positive(np.where(np.isposinf(array), 1, array), name)
+    return array
+
+
+def check_outside_focus(Z: Array, f: Array, name: str) -> None:
+    """Raise unless each distance is larger than the focal length: nearer has no real image."""
+    if (f >= Z).any():
+        raise ValueError(
+            f"{name} must be larger than the focal length ({np.max(f):g} mm), got {np.min(Z):g}: "
+            "light from there does not meet again behind the lens, so the image is virtual"
+        )
 
 
 def check_length(value: ArrayLike, name: str) -> float:

@@ -1,4 +1,4 @@
-"""Optics of the pinhole camera: what it sees, how sharp it is and how bright.
+"""Optics: what a camera sees, how sharp it is and how bright, with a hole or with lenses.
 
 Lengths in mm unless a name says otherwise.
 """
@@ -8,7 +8,45 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from course_lib.aperture import aperture_diameter, f_number, stops_between, working_f_number
 from course_lib.checks import Array, check_length, check_positive, check_size
+from course_lib.diffraction import airy_diameter
+from course_lib.focus import (
+    circle_of_confusion,
+    closeup_depth_of_field,
+    depth_of_field,
+    depth_of_field_approximate,
+    hyperfocal_distance,
+)
+from course_lib.lens_equation import (
+    image_distance,
+    magnification,
+    object_distance,
+    optical_power,
+    pixel_on_object,
+)
+
+__all__ = [
+    "airy_diameter",
+    "aperture_diameter",
+    "best_pinhole_diameter",
+    "circle_of_confusion",
+    "closeup_depth_of_field",
+    "depth_of_field",
+    "depth_of_field_approximate",
+    "equivalent_focal_length",
+    "f_number",
+    "field_of_view",
+    "hyperfocal_distance",
+    "image_distance",
+    "magnification",
+    "object_distance",
+    "optical_power",
+    "pinhole_blur_diameter",
+    "pixel_on_object",
+    "stops_between",
+    "working_f_number",
+]
 
 
 def field_of_view(f: float, sensor_size: ArrayLike) -> Array:
@@ -120,42 +158,6 @@ def pinhole_blur_diameter(d: ArrayLike, image_distance: ArrayLike, Z: ArrayLike)
     d, Z = check_positive(d, "d"), check_positive(Z, "Z")
     image_distance = check_positive(image_distance, "image_distance")
     return d * (Z + image_distance) / Z
-
-
-def airy_diameter(wavelength: ArrayLike, f_number: ArrayLike) -> Array:
-    """Return the diameter of the first dark ring around the image of a point of light.
-
-    Even without any geometric blur, light spreads at the edge of a round opening.
-
-    Parameters
-    ----------
-    wavelength : float or array_like
-        Wavelength of the light, positive, in any unit of length.
-    f_number : float or array_like
-        Distance from the opening to the image, divided by the opening's diameter; positive.
-
-    Returns
-    -------
-    float or ndarray
-        Diameter of the Airy disk in the unit of `wavelength`.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If an argument is not positive and finite.
-
-    References
-    ----------
-    E. Hecht, Optics, 5th ed., section 10.2.5 (the circular aperture).
-
-    Examples
-    --------
-    Green light of 0.55 µm at f/8, in µm:
-
-    >>> round(float(airy_diameter(0.55, 8)), 3)
-    10.736
-    """
-    return 2.44 * check_positive(wavelength, "wavelength") * check_positive(f_number, "f_number")
 
 
 def best_pinhole_diameter(image_distance: ArrayLike, wavelength: ArrayLike) -> Array:

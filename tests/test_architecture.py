@@ -9,8 +9,12 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 MATHEMATICS = {
+    "aperture",
     "camera",
     "checks",
+    "diffraction",
+    "focus",
+    "lens_equation",
     "optics",
     "pinhole",
     "projection",

@@ -1,0 +1,46 @@
+"""Diffraction: how small a spot of light can get behind a round opening.
+
+Use these functions through `course_lib.optics`.
+"""
+
+from __future__ import annotations
+
+from numpy.typing import ArrayLike
+
+from course_lib.checks import Array, check_positive
+
+
+def airy_diameter(wavelength: ArrayLike, f_number: ArrayLike) -> Array:
+    """Return the diameter of the first dark ring around the image of a point of light.
+
+    Even without any geometric blur, light spreads at the edge of a round opening.
+
+    Parameters
+    ----------
+    wavelength : float or array_like
+        Wavelength of the light, positive, in any unit of length.
+    f_number : float or array_like
+        Distance from the opening to the image, divided by the opening's diameter; positive.
+
+    Returns
+    -------
+    float or ndarray
+        Diameter of the Airy disk in the unit of `wavelength`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not positive and finite.
+
+    References
+    ----------
+    E. Hecht, Optics, 5th ed., section 10.2.5 (the circular aperture).
+
+    Examples
+    --------
+    Green light of 0.55 µm at f/8, in µm:
+
+    >>> round(float(airy_diameter(0.55, 8)), 3)
+    10.736
+    """
+    return 2.44 * check_positive(wavelength, "wavelength") * check_positive(f_number, "f_number")
