@@ -12,12 +12,17 @@ MATHEMATICS = {
     "aperture",
     "camera",
     "checks",
+    "detector",
     "diffraction",
+    "falloff",
     "focus",
     "lens_equation",
+    "mosaic",
     "optics",
     "pinhole",
     "projection",
+    "sensor",
+    "sensor_model",
     "transforms",
 }
 #: Modules of data_generators that write submissions; they stand above the exercises.
