@@ -62,7 +62,10 @@ ARROWS: dict[tuple[int, int], list[tuple[float, float]]] = {
 }
 
 
-@figure
+@figure(
+    "Twelve boxes, one a chapter, each with its question; arrows lead from a chapter to those "
+    "that build on it."
+)
 def course_map(here: int | None = None) -> Figure:
     """Draw the chapters, the question that each answers, and what each builds on.
 
@@ -111,7 +114,11 @@ def _arrow(ax: Axes, way: list[tuple[float, float]]) -> None:
     ax.annotate("", xy=tuple(points[-1]), xytext=tuple(points[-2]), arrowprops=arrow, zorder=1)
 
 
-@figure
+@figure(
+    "Left: a camera in the world, whose Z axis points up; the camera's own x axis points "
+    "right, y down and z forward. Right: its picture of 8 × 6 pixels, u to the right and v "
+    "down."
+)
 def frames() -> Figure:
     """Show the camera frame and the world frame in space, and the pixel frame in the picture.
 
@@ -185,7 +192,7 @@ def _picture_axes(ax: Axes) -> None:
     ax.set(xlabel="u (px): column", ylabel="v (px): row")
 
 
-@figure
+@figure("A photograph with a mark at the pixel {pixel}.")
 def point_in_picture(picture: NDArray[np.uint8], pixel: ArrayLike) -> Figure:
     """Show a photograph with one pixel marked.
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from course_lib.drawing.explorers.aperture import ADJUSTED, FIXED, aperture_frame
 from course_lib.drawing.explorers.dolly import FIRST_F, FIRST_Z, dolly_zoom_frame
-from course_lib.drawing.explorers.focal import SENSORS, focal_length_frame
+from course_lib.drawing.explorers.focal import focal_length_frame
+from course_lib.drawing.sensors import FULL_FRAME, SENSORS
 from course_lib.widgets.controls import Choice, Slider, Switch
 from course_lib.widgets.explorer import Explorer
 
@@ -30,7 +31,7 @@ def focal_length_explorer() -> Explorer:
         "Focal length, sensor and field of view",
         [
             Slider("f", "Focal length", "f", "mm", 4, 300, 28, steps=160, landmarks=landmarks),
-            Choice("sensor", "Sensor", tuple(SENSORS), "full frame"),
+            Choice("sensor", "Sensor", tuple(SENSORS), FULL_FRAME),
         ],
         focal_length_frame,
     )

@@ -3,6 +3,7 @@ import pytest
 
 from course_lib.drawing.explorers import aperture, dolly, focal
 from course_lib.drawing.explorers import street as scenery
+from course_lib.drawing.sensors import FULL_FRAME, SENSORS
 from course_lib.optics import field_of_view
 
 APERTURE = aperture.aperture_frame
@@ -56,14 +57,14 @@ def test_the_spot_is_drawn_to_scale():
 # The focal length
 
 
-@pytest.mark.parametrize("sensor", focal.SENSORS)
+@pytest.mark.parametrize("sensor", SENSORS)
 @pytest.mark.parametrize("f", [4, 28, 300])
 def test_the_pointer_reads_half_the_field_of_view_at_the_edge(sensor, f):
     frame = FOCAL(f, sensor)
     width, _ = frame.pictures[0].size
     angles = frame.pictures[0].probes[0].values
     middle = angles[angles.shape[0] // 2]
-    half = np.degrees(field_of_view(f, focal.SENSORS[sensor])[0]) / 2
+    half = np.degrees(field_of_view(f, SENSORS[sensor])[0]) / 2
     # The corner pixels' centres lie half a pixel inside the sensor's edge.
     inside = np.degrees(np.arctan(np.tan(np.radians(half)) * (width - 1) / width))
     assert middle.min() == pytest.approx(0, abs=0.2 / f)
@@ -71,13 +72,13 @@ def test_the_pointer_reads_half_the_field_of_view_at_the_edge(sensor, f):
 
 
 def test_the_picture_has_the_shape_of_the_sensor():
-    for sensor, (width, height) in focal.SENSORS.items():
+    for sensor, (width, height) in SENSORS.items():
         w, h = FOCAL(28, sensor).pictures[0].size
         assert w / h == pytest.approx(width / height, abs=0.005)
 
 
 def test_a_crop_sensor_shows_the_middle_of_the_full_frame():
-    full, crop = (FOCAL(28, s).pictures[0].image.astype(float) for s in ("full frame", "DX"))
+    full, crop = (FOCAL(28, s).pictures[0].image.astype(float) for s in (FULL_FRAME, "APS-C (DX)"))
     share = 23.5 / 36
     w = round(480 * share)
     left = (480 - w) // 2
@@ -98,7 +99,7 @@ def test_the_frustum_ends_at_the_corners_of_the_picture():
 
 
 def test_the_view_from_outside_stays_the_same_array():
-    assert FOCAL(28, "DX").pictures[1].image is FOCAL(100, "DX").pictures[1].image
+    assert FOCAL(28, FULL_FRAME).pictures[1].image is FOCAL(100, "APS-C (DX)").pictures[1].image
 
 
 # The dolly zoom
@@ -140,7 +141,7 @@ def test_the_bracket_is_as_high_as_the_chart_in_the_picture():
     ("one", "other"),
     [
         (APERTURE(0.05, 60, ADJUSTED), APERTURE(2.5, 150, FIXED)),
-        (FOCAL(4, "full frame"), FOCAL(300, "1/2.3″")),
+        (FOCAL(4, FULL_FRAME), FOCAL(300, "1/2.3 inch")),
         (DOLLY(2, 14, False), DOLLY(25, 200, True)),
     ],
     ids=["aperture", "focal length", "dolly zoom"],

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from course_lib.camera import project_pinhole, vanishing_point
 from course_lib.drawing import pinhole as draw
-from course_lib.drawing.pinhole import light
+from course_lib.drawing.pinhole import light, perspective
 from course_lib.drawing.style import ROLES
 from course_lib.optics import best_pinhole_diameter, field_of_view
 
@@ -25,7 +25,8 @@ C = (319.5, 239.5)
 
 FIGURES = {
     "bare_sensor_and_hole": lambda: draw.bare_sensor_and_hole(0.8),
-    "blur_against_hole": lambda: draw.blur_against_hole(150, 0.00055, yours=0.4),
+    "blur_against_hole": lambda: draw.blur_against_hole(100, 0.00055, yours=0.4),
+    "blur_against_hole outside": lambda: draw.blur_against_hole(300, 0.00055, yours=634),
     "blur_geometry": draw.blur_geometry,
     "dolly_strip": draw.dolly_strip,
     "eclipse": draw.eclipse,
@@ -64,6 +65,13 @@ def test_every_function_is_tried_here():
 def test_is_shown_once_and_leaves_nothing_open(figure):
     assert isinstance(figure, Figure)
     assert not plt.get_fignums()
+
+
+def test_is_described_in_a_sentence_of_its_own(figure):
+    words = figure.description
+    assert words.endswith(".")
+    assert "{" not in words
+    assert not words.startswith("Show")
 
 
 def test_axes_with_numbers_have_labels_with_units(figure):
@@ -122,6 +130,24 @@ def test_house_shows_the_students_points_when_there_are_any():
     assert len(drawn) == 15 + 1  # edges, and the corners
 
 
+def behind_the_house(point, X):
+    """Return whether the sight line to a point runs through the inside of the house."""
+    x, y, z = np.outer(point, np.linspace(0.3, 0.999, 2000))
+    roof = -5 + np.abs(x - X) * 2.5 / 3
+    return bool(((z > 20) & (z < 29) & (np.abs(x - X) < 3) & (y < 1.5) & (y > roof)).any())
+
+
+@pytest.mark.parametrize("X", [4, -4, 0, 1])
+def test_only_edges_that_the_house_hides_are_dashed(X):
+    corners = draw.house(X)
+    pixels = project_pinhole(corners, 800, C)
+    edges = draw.house_picture(corners, 800, C, yours=pixels).axes[0].lines[1:16]
+    for edge, line in zip(perspective.HOUSE_EDGES, edges, strict=True):
+        np.testing.assert_allclose(line.get_xydata(), pixels[list(edge)])
+        hidden = behind_the_house(corners[list(edge)].mean(axis=0), X)
+        assert line.is_dashed() is hidden, edge
+
+
 def test_house_fits_into_its_picture():
     pixels = project_pinhole(draw.house(), 800, C)
     assert ((pixels > 0) & (pixels < (640, 480))).all()
@@ -142,6 +168,16 @@ def test_blur_curve_marks_the_smallest_spot():
     best = float(best_pinhole_diameter(100, 0.00055))
     assert smallest == pytest.approx(best, rel=0.03)
     assert ax.lines[3].get_xydata()[0, 0] == pytest.approx(best)
+
+
+def test_best_hole_of_another_box_is_not_given_away():
+    ax = draw.blur_against_hole(300, 0.00055).axes[0]
+    assert len(ax.lines) == 3  # two straight lines and their sum
+    assert not ax.texts
+    yours = draw.blur_against_hole(300, 0.00055, yours=0.5).axes[0]
+    assert [text.get_text() for text in yours.texts] == ["your answer: d = 0.50 mm"]
+    hole, spot = yours.lines[3].get_xydata()[0]
+    assert (hole, spot) == pytest.approx((0.5, 0.5 + 2.44 * 0.00055 * 300 / 0.5))
 
 
 def sharpness(picture):

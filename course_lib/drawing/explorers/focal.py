@@ -10,15 +10,9 @@ from numpy.typing import NDArray
 from course_lib.camera import Camera, camera_at, first_guess_intrinsics, pixel_focal_length
 from course_lib.drawing.explorers.frame import Frame, Label, Picture, Readout
 from course_lib.drawing.explorers.street import angle_probe, frustum, renderer, upright_camera
+from course_lib.drawing.sensors import SENSORS
 from course_lib.optics import equivalent_focal_length, field_of_view
 
-#: Width and height, mm.
-SENSORS = {
-    "full frame": (36.0, 24.0),
-    "DX": (23.5, 15.6),
-    "μ4/3": (17.3, 13.0),
-    "1/2.3″": (6.17, 4.55),
-}
 EYE = (0.5, -3.5, 1.65)
 DEPTH = 14.0  # m: how far the frustum is drawn
 VIEW_SIZE = (400, 320)
@@ -32,7 +26,7 @@ def focal_length_frame(f: float, sensor: str) -> Frame:
     f : float
         Focal length, mm.
     sensor : str
-        A key of `SENSORS`.
+        A key of `course_lib.drawing.sensors.SENSORS`.
 
     Returns
     -------

@@ -22,7 +22,6 @@ from course_lib.drawing.pinhole.perspective import (
     size_against_distance,
 )
 from course_lib.drawing.pinhole.sensors import (
-    SENSORS,
     lens_fan,
     pixel_grid,
     sensors_to_scale,
@@ -36,6 +35,7 @@ from course_lib.drawing.pinhole.views import (
     street_lines,
     street_view,
 )
+from course_lib.drawing.sensors import SENSORS
 
 __all__ = [
     "SENSORS",

@@ -19,7 +19,10 @@ if TYPE_CHECKING:
 Edge = tuple[tuple[float, float], tuple[float, float]]
 
 
-@figure
+@figure(
+    "A photograph. A square marks its middle, a cross its principal point, and coloured lines "
+    "the edges in it that are named."
+)
 def photograph(picture: ArrayLike, c: ArrayLike, edges: Mapping[str, Edge] | None = None) -> Figure:
     """Show a photograph with its middle, its principal point and some edges.
 
@@ -53,7 +56,10 @@ def photograph(picture: ArrayLike, c: ArrayLike, edges: Mapping[str, Edge] | Non
     return fig
 
 
-@figure
+@figure(
+    "A photograph, drawn small: two of its edges, made longer, meet far outside of it, at "
+    "({meeting[0]:.0f}, {meeting[1]:.0f}) px."
+)
 def meeting_lines(picture: ArrayLike, edges: Mapping[str, Edge], meeting: ArrayLike) -> Figure:
     """Show how edges of a photograph, made longer, meet far outside of it.
 

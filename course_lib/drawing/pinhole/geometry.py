@@ -12,7 +12,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@figure
+@figure(
+    "From above: a small triangle with the sides f and x lies inside a large one with the "
+    "sides Z and X; both have a corner in the hole and share its angle."
+)
 def similar_triangles(f: float = 2.0, X: float = 1.5, Z: float = 6.0) -> Figure:
     """Show the two similar triangles from which the pinhole equation is read.
 
@@ -65,7 +68,10 @@ def _axis(ax: Axes, left: float, right: float) -> None:
     write(ax, (right, 0.08), "optical axis", "guide", ha="right", va="bottom", fontsize=9)
 
 
-@figure
+@figure(
+    "A tree and its image from the side, twice: behind the hole the image is upside down; on "
+    "a plane in front of the hole, at the same distance f, it is upright and equally large."
+)
 def image_planes(f: float = 2.0, height: float = 2.4, Z: float = 5.0) -> Figure:
     """Show the image behind the hole, upside down, and the same image in front of it, upright.
 
@@ -100,7 +106,10 @@ def image_planes(f: float = 2.0, height: float = 2.4, Z: float = 5.0) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "One camera from above: older texts count Z from the image plane behind the lens, the "
+    "course counts it from the lens, so the two differ by f."
+)
 def lens_centred(f: float = 1.5, X: float = 1.5, Z_old: float = 6.5) -> Figure:
     """Show one camera with the axes of older texts and with ours.
 

@@ -30,7 +30,16 @@ LAMPS = ((1.2, RED), (0.0, GREEN), (-1.2, BLUE))
 LAMP_X, SENSOR_X, SENSOR_REACH = -4.0, 4.0, 2.2
 
 
-@figure
+#: From hole to sensor in the lecture's box, mm.
+LECTURE_DISTANCE = 100.0
+#: The smallest and the largest hole that are drawn, mm.
+HOLES = (0.05, 3.0)
+
+
+@figure(
+    "The Sun, its upper part covered by the Moon, shines through a small hole into a dark "
+    "room; its image on the far wall is upside down, so its lower part is covered."
+)
 def eclipse(moon: float = 0.45) -> Figure:
     """Show how a solar eclipse is watched in a dark room, as Gemma Frisius did in 1544.
 
@@ -73,7 +82,11 @@ def _crescent(ax: Axes, centre: tuple[float, float], radius: float, moon: float)
     shade.set_clip_path(sun)
 
 
-@figure
+@figure(
+    "Three lamps shine on a sensor. Without a hole every pixel gets light from all of them; "
+    "behind a hole of d = {d:g} each lamp makes a spot twice as wide as the hole, in reversed "
+    "order."
+)
 def bare_sensor_and_hole(d: float = 0.3) -> Figure:
     """Show which light reaches a bare sensor, and which a sensor behind a hole.
 
@@ -128,7 +141,10 @@ def _strip(d: float | None, pixels: int = 88) -> Floats:
     return np.asarray(picture / total.max())
 
 
-@figure
+@figure(
+    "From the side: the light of a point passes a hole of diameter d at the distance Z and "
+    "spreads to a spot, wider than the hole, on a sensor at the distance s behind it."
+)
 def blur_geometry(d: float = 1.0, image_distance: float = 3.0, Z: float = 6.0) -> Figure:
     """Show the spot that one point of light makes through a hole of diameter `d`.
 
@@ -163,7 +179,10 @@ def blur_geometry(d: float = 1.0, image_distance: float = 3.0, Z: float = 6.0) -
     return fig
 
 
-@figure
+@figure(
+    "Spot diameter against hole diameter, logarithmic, for s = {image_distance:g} mm: the "
+    "shadow of the hole rises, diffraction falls, and their sum has one lowest point."
+)
 def blur_against_hole(
     image_distance: float = 100.0, wavelength: float = 0.00055, yours: Any = None
 ) -> Figure:
@@ -179,29 +198,46 @@ def blur_against_hole(
     Returns
     -------
     Figure
-        Geometric spot, Airy disk and their sum against the hole's diameter, with the minimum.
+        Geometric spot, Airy disk and their sum against the hole's diameter. The best hole is
+        marked for the lecture's box only: to find it for other boxes is the exercise.
     """
-    d = np.geomspace(0.05, 3, 200)
+    d = np.geomspace(*HOLES, 200)
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.8))
     airy = airy_diameter(wavelength, image_distance / d)
     ax.loglog(d, d, "--", color=ROLES["ray"], label="geometry: $d$")
     ax.loglog(d, airy, ":", color=ROLES["image"], label=r"diffraction: $2.44\,\lambda s/d$")
     ax.loglog(d, d + airy, color=BLACK, lw=2.5, label="sum")
-    best = best_pinhole_diameter(image_distance, wavelength)
-    ax.plot(best, 2 * best, "o", color=BLACK, ms=8)
-    note = {"bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1.5}, "ha": "center"}
-    line = {"arrowstyle": "-", "color": GREY}
-    label = f"smallest spot: d = {best:.2f} mm"
-    ax.annotate(label, (best, 2 * best), (best, 0.07), arrowprops=line, **note)
-    marked = same_shape(yours, np.asarray(best))
+    if image_distance == LECTURE_DISTANCE:
+        best = float(best_pinhole_diameter(image_distance, wavelength))
+        _mark_hole(ax, (best, 2 * best), f"smallest spot: d = {best:.2f} mm", 0.07, BLACK)
+    marked = same_shape(yours, np.zeros(()))
     if marked is not None and np.isfinite(marked) and marked > 0:
-        ax.vlines(
-            float(marked), 0.04, 6, color=ROLES["second"], lw=3, alpha=0.6, label="your answer"
-        )
-    ax.set(xlabel="hole diameter d (mm)", ylabel="spot diameter (mm)", ylim=(0.04, 30))
+        spot = float(marked + airy_diameter(wavelength, image_distance / marked))
+        _mark_answer(ax, float(marked), spot)
+    ax.set(xlabel="hole diameter d (mm)", ylabel="spot diameter (mm)")
+    ax.set(xlim=(0.04, 4), ylim=(0.04, 30))
     _plain_ticks(ax)
     ax.legend(loc="upper center", ncols=2)
     return fig
+
+
+def _mark_hole(
+    ax: Axes, at: tuple[float, float], text: str, height: float, colour: str = BLACK
+) -> None:
+    """Mark a hole and its spot on the curve, with a line to `text` at a height in mm."""
+    ax.plot(*at, "o", color=colour, ms=8)
+    line = {"arrowstyle": "-", "color": colour}
+    paper = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
+    ax.annotate(text, at, (at[0], height), arrowprops=line, bbox=paper, ha="center")
+
+
+def _mark_answer(ax: Axes, d: float, spot: float) -> None:
+    """Mark a student's hole, or say that it lies outside of the figure."""
+    if HOLES[0] <= d <= HOLES[1]:
+        _mark_hole(ax, (d, spot), f"your answer: d = {d:.2f} mm", 5.5, ROLES["second"])
+    else:
+        text = f"your answer, d = {d:.3g} mm, lies outside of this figure"
+        write(ax, (0.4, 5.5), text)
 
 
 def _plain_ticks(ax: Axes) -> None:

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 GABLE = [(-3, 1.5), (3, 1.5), (3, -2.5), (0, -5), (-3, -2.5)]  # X, Y in m, y down
 HOUSE_EDGES = [(i, (i + 1) % 5) for i in range(5)]
 HOUSE_EDGES += [(i + 5, j + 5) for i, j in HOUSE_EDGES] + [(i, i + 5) for i in range(5)]
+HOUSE_FACES = [tuple(range(5)), tuple(range(5, 10))]
+HOUSE_FACES += [(i, j, j + 5, i + 5) for i, j in HOUSE_EDGES[:5]]
 
 
 def house(X: float = 4.0, Z: float = 20.0, depth: float = 9.0) -> Floats:
@@ -50,7 +52,10 @@ def house(X: float = 4.0, Z: float = 20.0, depth: float = 9.0) -> Floats:
     return np.array([(x + X, y, z) for z in (Z, Z + depth) for x, y in GABLE])
 
 
-@figure
+@figure(
+    "The ten corners of a house in a picture of 640 × 480 px, for f = {f} px: circles by the "
+    "course's function, filled points and lines by yours once it answers."
+)
 def house_picture(
     points: ArrayLike,
     f: float = 800.0,
@@ -71,7 +76,8 @@ def house_picture(
     Returns
     -------
     Figure
-        A picture of 640 × 480 px: open circles by the course, filled ones by the student.
+        A picture of 640 × 480 px: open circles by the course, filled ones by the student. The
+        edges that the house itself hides are dashed.
     """
     pixels = project_pinhole(points, f, c)
     fig, ax = panels(1, 1, (6.4, 4.8))
@@ -79,9 +85,10 @@ def house_picture(
     ax.plot(*pixels.T, "o", mfc="none", mec=BLACK, ms=11, mew=1.5, label="the course's function")
     drawn = same_shape(yours, pixels)
     if drawn is not None:
-        for number, (start, end) in enumerate(HOUSE_EDGES):
-            dashes = {"ls": (0, (4, 3)), "lw": 1.2} if number >= len(GABLE) else {"zorder": 3}
-            stroke(ax, drawn[[start, end]], "second", **dashes)
+        seen = _seen_edges(np.asarray(points, dtype=float))
+        for edge in HOUSE_EDGES:
+            dashes = {"zorder": 3} if edge in seen else {"ls": (0, (4, 3)), "lw": 1.2}
+            stroke(ax, drawn[list(edge)], "second", **dashes)
         ax.fill(*drawn[: len(GABLE)].T, color=ROLES["second"], alpha=0.25, lw=0)
         ax.plot(*drawn.T, "o", color=ROLES["second"], ms=6, label="your function")
     ax.plot(*c, "+", color=GREY, ms=12, label="principal point")
@@ -89,7 +96,22 @@ def house_picture(
     return fig
 
 
-@figure
+def _seen_edges(points: Floats) -> set[tuple[int, int]]:
+    """Return the edges that belong to a face whose outside is turned to the hole."""
+    middle = points.mean(axis=0)
+    edges = set[tuple[int, int]]()
+    for face in HOUSE_FACES:
+        corner = points[list(face)]
+        normal = np.cross(corner[1] - corner[0], corner[2] - corner[1])
+        if (normal @ corner[0]) * (normal @ (corner[0] - middle)) < 0:  # the hole is at 0
+            edges |= {edge for edge in HOUSE_EDGES if set(edge) <= set(face)}
+    return edges
+
+
+@figure(
+    "Height in the picture against distance, for a person of {height:g} m and f = {f:g} px: "
+    "the curve falls, and at twice the distance the height is half."
+)
 def size_against_distance(f: float = 800.0, height: float = 1.8, marked: float = 5.0) -> Figure:
     """Show how the height of a person in the picture falls with the distance.
 
@@ -114,7 +136,10 @@ def size_against_distance(f: float = 800.0, height: float = 1.8, marked: float =
     return fig
 
 
-@figure
+@figure(
+    "Five equal steps of {step:g} m on the ground, from the side and in the picture: the "
+    "farther away a step is, the flatter it is in the picture."
+)
 def foreshortening(f: float = 800.0, height: float = 1.6, step: float = 2.0) -> Figure:
     """Show why equal steps on the ground are unequal steps in the picture.
 
@@ -166,7 +191,10 @@ def _steps_from_the_side(ax: Axes, Z: Floats, height: float) -> None:
     fit(ax, -0.8, Z[-1] + 0.3, -height - 0.7, 0.9)
 
 
-@figure
+@figure(
+    "From above: rays from the hole to points farther and farther along a line turn until "
+    "they are parallel to it. The parallel ray cuts the image plane in the vanishing point."
+)
 def one_line_runs_away(direction: Sequence[float] = (0.45, 1.0), f: float = 2.0) -> Figure:
     """Show why the image of a line ends in a vanishing point: points that run away along it.
 

@@ -19,6 +19,7 @@ from course_lib.drawing.diagrams import (
     stroke,
     write,
 )
+from course_lib.drawing.sensors import SENSORS
 from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREEN, GREY, ORANGE, PURPLE, RED
 from course_lib.optics import equivalent_focal_length, field_of_view
 
@@ -26,19 +27,15 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-#: Width and height in mm of common sensors. Makers differ by a few tenths of a millimetre.
-SENSORS = {
-    "full frame (FX)": (36.0, 24.0),
-    "APS-C (DX)": (23.5, 15.6),
-    "Micro Four Thirds": (17.3, 13.0),
-    "1 inch": (13.2, 8.8),
-    "1/2.3 inch": (6.17, 4.55),
-}
 #: What a sensor is known from, where its name does not say it.
 FOUND_IN = {"1/2.3 inch": " (compact camera)"}
 
 
-@figure
+@figure(
+    "A grid of {width} × {height} pixels: the corner of the picture is at (−0.5, −0.5), the "
+    "centre of the first pixel at (0, 0), and the middle between the first and the last "
+    "pixel."
+)
 def pixel_grid(width: int = 8, height: int = 5) -> Figure:
     """Show where the pixel coordinates (u, v) start and where the middle of a picture is.
 
@@ -77,7 +74,10 @@ def pixel_grid(width: int = 8, height: int = 5) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "From above: a sensor {width:g} mm wide, {f:g} mm from the hole. Half of its width and f "
+    "are the sides of a right triangle; its angle at the hole is half of the angle of view."
+)
 def view_angle(f: float = 50.0, width: float = 36.0) -> Figure:
     """Show the triangle from which the angle of view is read.
 
@@ -115,7 +115,7 @@ def _arc(ax: Axes, radius: float, tangent: float) -> None:
     ax.plot(radius * np.cos(angles), radius * np.sin(angles), color=BLACK, lw=1.5)
 
 
-@figure
+@figure("Sensors drawn to scale around a common corner, each with its size and its crop factor.")
 def sensors_to_scale(sensors: Mapping[str, tuple[float, float]] | None = None) -> Figure:
     """Show sensors in their true proportions, with diagonal and crop factor.
 
@@ -149,7 +149,10 @@ def sensors_to_scale(sensors: Mapping[str, tuple[float, float]] | None = None) -
     return fig
 
 
-@figure
+@figure(
+    "Wedges from above: the horizontal angles of view of lenses with f = {focal_lengths} mm; "
+    "the longer the lens, the narrower its wedge."
+)
 def lens_fan(
     focal_lengths: Sequence[float] = (14, 24, 50, 85, 200, 600),
     sensor_size: tuple[float, float] = (36.0, 24.0),

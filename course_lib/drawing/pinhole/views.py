@@ -40,7 +40,10 @@ def _shown(light: ArrayLike) -> Floats:
     return np.clip(np.asarray(light, dtype=float) / 255, 0, 1)
 
 
-@figure
+@figure(
+    "A street with a red house, from {Z:g} m through a lens of {f:g} mm; an orange line marks "
+    "the 9 m of its front."
+)
 def facade(
     f: float = 16.0,
     Z: float = 12.0,
@@ -106,7 +109,10 @@ def road_direction(camera: Camera) -> Floats:
     return np.asarray(camera.R @ (0.0, 1.0, 0.0))
 
 
-@figure
+@figure(
+    "A street: its kerbs and eaves, made longer, meet in one point, which lies on the dashed "
+    "horizon."
+)
 def street_lines(camera: Camera, yours: ArrayLike | None = None) -> Figure:
     """Show lines along a road running to their vanishing point on the horizon.
 
@@ -150,7 +156,10 @@ def _whereabouts(pixel: Floats, size: tuple[int, int]) -> str:
     return "" if inside else ": outside of the picture"
 
 
-@figure
+@figure(
+    "A letter chart from several distances. First row, one lens: it becomes smaller. Second "
+    "row: the focal lengths of your function, once it answers."
+)
 def dolly_strip(
     f: float = 24.0, Z: Sequence[float] = (3.0, 6.0, 12.0), yours: ArrayLike | None = None
 ) -> Figure:
@@ -198,7 +207,10 @@ def _chart_from(ax: Axes, Z: float, f: float | None) -> None:
     ax.set_title(f"Z = {Z:g} m, f = {f:.0f} mm", fontsize=10, fontweight="normal")
 
 
-@figure
+@figure(
+    "Photographs of a letter chart through holes of {diameters} mm, {image_distance:g} mm in "
+    "front of the sensor."
+)
 def hole_series(
     diameters: Sequence[float] = (2, 1, 0.6, 0.35, 0.15, 0.07),
     image_distance: float = 100.0,
