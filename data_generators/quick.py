@@ -7,6 +7,8 @@ of who is seen where, on a grid finer than the pixels, and its texture is warped
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,7 +19,7 @@ from data_generators.clipping import SLAB, Polygons, clip, slabs, view_planes
 from data_generators.order import back_to_front, side_table
 from data_generators.paint import Picture
 from data_generators.pyramid import TexturePyramid, levels_for
-from data_generators.scene import Scene
+from data_generators.scene import Colour, Scene
 
 
 class QuickRenderer:
@@ -73,10 +75,36 @@ class QuickRenderer:
         ndarray, shape (height, width, 3), uint8
             RGB, linear in light.
         """
-        patches, parts = self._pieces(camera)
+        patches, parts = self.pieces(camera)
+        return self.painted(patches, parts, camera, self.scene.background)[0]
+
+    def painted(
+        self, patches: list[int], parts: list[Array], camera: Camera, background: Colour
+    ) -> tuple[Picture, NDArray[Any]]:
+        """Return the picture of pieces, and who is seen where in it.
+
+        Parameters
+        ----------
+        patches : list of int
+            The patch that each piece is part of.
+        parts : list of ndarray, shape (M, 3)
+            Corners in the camera frame, m; from back to front, in view.
+        camera : Camera
+            The camera.
+        background : tuple of int
+            RGB where there is no piece.
+
+        Returns
+        -------
+        picture : ndarray, shape (height, width, 3), uint8
+            RGB, linear in light.
+        owners : ndarray, shape (height subpixels, width subpixels)
+            Number of the piece plus 1, or 0 for none.
+        """
+        width, height = camera.image_size
         if not patches:
-            width, height = camera.image_size
-            return np.full((height, width, 3), self.scene.background, np.uint8)
+            nobody = np.zeros((height * self.subpixels, width * self.subpixels), np.uint8)
+            return np.full((height, width, 3), background, np.uint8), nobody
         polygons = Polygons.of(parts).seen_through(camera.K)
         owners = paint.fill_owners(polygons, camera.image_size, self.subpixels)
         maps, levels = self._texture_maps(np.array(patches), polygons.middle(), camera)
@@ -85,7 +113,7 @@ class QuickRenderer:
             for patch, level in zip(patches, levels, strict=True)
         ]
         textured = [k for k, texture in enumerate(textures) if texture.shape[:2] != (1, 1)]
-        colours = np.array([self.scene.background, *(texture[0, 0] for texture in textures)])
+        colours = np.array([background, *(texture[0, 0] for texture in textures)])
         colours[[k + 1 for k in textured]] = 0
         picture = paint.coloured(owners, colours.astype(np.uint8), self.subpixels)
         boxes = paint.bounding_boxes(polygons, camera.image_size)
@@ -93,7 +121,7 @@ class QuickRenderer:
             share, box = paint.share_of(owners, k + 1, boxes[k], self.subpixels)
             if share is not None and box is not None:
                 self._add(picture, patches[k], share, box, maps[k], textures[k])
-        return picture
+        return picture, owners
 
     def _add(
         self,
@@ -114,10 +142,20 @@ class QuickRenderer:
         )
         paint.add_texture(picture, share, box, texture, texel_from_patch @ homography, wrap)
 
-    def _pieces(self, camera: Camera) -> tuple[list[int], list[Array]]:
+    def pieces(self, camera: Camera) -> tuple[list[int], list[Array]]:
         """Return the visible parts of the patches, in the order of painting.
 
-        They are the index of the patch, and the corners in the camera frame, (M, 3), m.
+        Parameters
+        ----------
+        camera : Camera
+            The camera, in the scene's world.
+
+        Returns
+        -------
+        patches : list of int
+            The patch that each part belongs to.
+        parts : list of ndarray, shape (M, 3)
+            Corners in the camera frame, m.
         """
         patches, polygons = self._visible(camera)
         if not patches:
