@@ -8,9 +8,27 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.aperture import aperture_diameter, f_number, stops_between, working_f_number
-from course_lib.checks import Array, check_length, check_positive, check_size
-from course_lib.diffraction import airy_diameter
+from course_lib.aperture import (
+    aperture_diameter,
+    f_number,
+    stops_between,
+    working_f_number,
+)
+from course_lib.aperture_choice import (
+    aperture_for_depth,
+    apertures_for_limits,
+    sharpest_f_number,
+)
+from course_lib.checks import (
+    Array,
+    check_length,
+    check_positive,
+    check_size,
+)
+from course_lib.diffraction import (
+    airy_diameter,
+    is_diffraction_limited,
+)
 from course_lib.focus import (
     circle_of_confusion,
     closeup_depth_of_field,
@@ -25,11 +43,29 @@ from course_lib.lens_equation import (
     optical_power,
     pixel_on_object,
 )
+from course_lib.lens_names import (
+    parse_lens_name,
+)
+from course_lib.lens_systems import (
+    cardinal_points,
+    lens_system,
+    two_lens_zoom,
+)
+from course_lib.ray_transfer import (
+    free_space,
+    image_of_point,
+    system_matrix,
+    thin_lens,
+    trace_rays,
+)
 
 __all__ = [
     "airy_diameter",
     "aperture_diameter",
+    "aperture_for_depth",
+    "apertures_for_limits",
     "best_pinhole_diameter",
+    "cardinal_points",
     "circle_of_confusion",
     "closeup_depth_of_field",
     "depth_of_field",
@@ -37,14 +73,24 @@ __all__ = [
     "equivalent_focal_length",
     "f_number",
     "field_of_view",
+    "free_space",
     "hyperfocal_distance",
     "image_distance",
+    "image_of_point",
+    "is_diffraction_limited",
+    "lens_system",
     "magnification",
     "object_distance",
     "optical_power",
+    "parse_lens_name",
     "pinhole_blur_diameter",
     "pixel_on_object",
+    "sharpest_f_number",
     "stops_between",
+    "system_matrix",
+    "thin_lens",
+    "trace_rays",
+    "two_lens_zoom",
     "working_f_number",
 ]
 

@@ -10,6 +10,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 MATHEMATICS = {
     "aperture",
+    "aperture_choice",
     "camera",
     "checks",
     "detector",
@@ -17,10 +18,13 @@ MATHEMATICS = {
     "falloff",
     "focus",
     "lens_equation",
+    "lens_names",
+    "lens_systems",
     "mosaic",
     "optics",
     "pinhole",
     "projection",
+    "ray_transfer",
     "sensor",
     "sensor_model",
     "transforms",
