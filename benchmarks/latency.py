@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import statistics
 import tempfile
 import time
@@ -10,10 +11,14 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+from urllib.request import urlopen
+
+import websocket
 
 from benchmarks.table import Row
-from tests.browser.lab import Lab, browser, open_notebook, run_all_cells, write_notebook
+from tests.browser.lab import Lab, browser, free_port, open_notebook, run_all_cells, write_notebook
 
+MOVES_A_SECOND = 60  # of the mouse while dragging
 EXPLORERS = {
     "aperture explorer": ("aperture_explorer", "The hole of a pinhole camera", "d"),
     "focal length explorer": (
@@ -120,7 +125,35 @@ def press(page: Any, contender: Contender, key: str) -> None:
     contender.latencies.append(page.evaluate("() => window.benchNew"))
 
 
-def drag(page: Any, contender: Contender, seconds: float) -> None:
+class Mouse:
+    """A mouse that moves as one in the hand does: it does not wait for what the page makes of it.
+
+    Playwright's mouse waits until each movement was handled, so it could not send more movements
+    than the page has time for, and would measure itself.
+    """
+
+    def __init__(self, port: int, address: str) -> None:
+        listing = urlopen(f"http://127.0.0.1:{port}/json", timeout=10).read()
+        (page,) = (p for p in json.loads(listing) if p["type"] == "page" and p["url"] == address)
+        self._socket = websocket.create_connection(
+            page["webSocketDebuggerUrl"], suppress_origin=True
+        )
+        self._sent = 0
+
+    def move(self, x: float, y: float) -> None:
+        """Move with the left button down, in px of the page."""
+        self._sent += 1
+        where = {"type": "mouseMoved", "x": x, "y": y, "button": "left", "buttons": 1}
+        message = {"id": self._sent, "method": "Input.dispatchMouseEvent", "params": where}
+        self._socket.send(json.dumps(message))
+
+    def rest(self) -> None:
+        """Wait until every movement was handled."""
+        while json.loads(self._socket.recv()).get("id") != self._sent:
+            pass
+
+
+def drag(page: Any, mouse: Mouse, contender: Contender, seconds: float) -> None:
     """Drag the contender's slider to and fro; note the pictures a second."""
     handle = page.locator(contender.slider)
     box = handle.bounding_box()
@@ -133,20 +166,20 @@ def drag(page: Any, contender: Contender, seconds: float) -> None:
         page.mouse.move(box["x"] + 9 + share * (box["width"] - 18), box["y"] + box["height"] / 2)
     page.mouse.down()
     page.evaluate(COUNT, contender.root)
-    start, step = time.perf_counter(), 0
-    while time.perf_counter() - start < seconds:
-        step += 1
+    start = time.perf_counter()
+    for step in range(round(seconds * MOVES_A_SECOND)):
         across = 0.1 + 0.8 * abs((step % 160) / 80 - 1)
-        page.mouse.move(box["x"] + box["width"] * across, box["y"] + box["height"] / 2)
-        page.wait_for_timeout(12)
+        mouse.move(box["x"] + box["width"] * across, box["y"] + box["height"] / 2)
+        time.sleep(max(0, start + (step + 1) / MOVES_A_SECOND - time.perf_counter()))
     contender.rates.append(page.evaluate(STOP) / (time.perf_counter() - start))
+    mouse.rest()
     page.mouse.up()
     page.wait_for_timeout(1500)
 
 
 @contextmanager
-def page_with(cells: list[str]) -> Iterator[Any]:
-    """Run a notebook in a fresh JupyterLab; yield its page."""
+def page_with(cells: list[str]) -> Iterator[tuple[Any, Mouse]]:
+    """Run a notebook in a fresh JupyterLab; yield its page and a mouse."""
     with tempfile.TemporaryDirectory() as place:
         folder, home = Path(place, "notebooks"), Path(place, "home")
         folder.mkdir()
@@ -154,18 +187,21 @@ def page_with(cells: list[str]) -> Iterator[Any]:
         path = write_notebook(folder / "bench.ipynb", *cells)
         lab = Lab(folder, home)
         try:
-            with browser() as program:
+            port = free_port()
+            with browser(f"--remote-debugging-port={port}") as program:
                 page = program.new_page(viewport={"width": 1400, "height": 1100})
                 open_notebook(page, lab, path)
                 errors = run_all_cells(page)
                 if errors:
                     raise RuntimeError(f"the benchmark's notebook failed: {errors}")
-                yield page
+                yield page, Mouse(port, page.url)
         finally:
             lab.stop()
 
 
-def take_turns(page: Any, contenders: list[Contender], rounds: int, drags: int) -> None:
+def take_turns(
+    page: Any, mouse: Mouse, contenders: list[Contender], rounds: int, drags: int
+) -> None:
     """Measure every contender once a round; the first round warms up and is dropped."""
     for turn in range(rounds + 1):
         for contender in contenders:
@@ -179,7 +215,7 @@ def take_turns(page: Any, contenders: list[Contender], rounds: int, drags: int) 
     for _ in range(drags):
         for contender in contenders:
             page.locator(contender.root).scroll_into_view_if_needed()
-            drag(page, contender, seconds=3.0)
+            drag(page, mouse, contender, seconds=3.0)
 
 
 def pointer_latency(page: Any, title: str) -> float:
@@ -206,8 +242,8 @@ def measure(rounds: int = 15, drags: int = 3) -> list[Row]:
         ours = Contender(name, f'.course-explorer[aria-label="{title}"]', "input")
         peer = Contender(f"naive {name}", f".bench-naive-{slider}", ".noUi-handle")
         pairs.append((ours, peer))
-    with page_with(cells) as page:
-        take_turns(page, [bare, *(c for pair in pairs for c in pair)], rounds, drags)
+    with page_with(cells) as (page, mouse):
+        take_turns(page, mouse, [bare, *(c for pair in pairs for c in pair)], rounds, drags)
         pointer = pointer_latency(page, EXPLORERS["focal length explorer"][1])
     return _rows(bare, pairs, pointer)
 

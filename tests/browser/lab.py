@@ -62,7 +62,7 @@ class Lab:
         self, folder: Path, home: Path, theme: str = "Light", options: tuple[str, ...] = ()
     ) -> None:
         self.folder, self.log = folder, home / "lab.log"
-        self.port, self.token = _free_port(), secrets.token_hex(16)
+        self.port, self.token = free_port(), secrets.token_hex(16)
         self.url = f"http://127.0.0.1:{self.port}"
         settings = home / "app" / "settings"
         config = home / "config" / "labconfig"
@@ -101,7 +101,7 @@ class Lab:
                 self.process.wait()
 
 
-def _free_port() -> int:
+def free_port() -> int:
     """Return a port nobody listens on."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
@@ -124,12 +124,14 @@ def _environment(home: Path) -> dict[str, str]:
 
 
 @contextmanager
-def browser() -> Iterator[Any]:
-    """Start Chromium; yield Playwright's browser."""
+def browser(*flags: str) -> Iterator[Any]:
+    """Start Chromium, with further flags if there are any; yield Playwright's browser."""
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
-        program = playwright.chromium.launch(executable_path=chromium(), args=CHROMIUM_FLAGS)
+        program = playwright.chromium.launch(
+            executable_path=chromium(), args=[*CHROMIUM_FLAGS, *flags]
+        )
         try:
             yield program
         finally:
