@@ -11,6 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 
+#: No measurement is that large, and products of a few numbers below it stay finite.
+LARGEST = 1e75
+
 
 class DegenerateConfigurationError(ValueError):
     """The data are well formed, but their geometry does not determine the answer."""
@@ -36,11 +39,16 @@ def check_numbers(value: ArrayLike, name: str) -> Array:
     TypeError
         If `value` is not made of real numbers.
     ValueError
-        If it holds NaN or infinity, or rows of different lengths.
+        If it holds NaN, infinity or a number beyond 1e75, or rows of different lengths.
     """
     array = _real_numbers(value, name)
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name} must be finite, got NaN or infinity: remove those entries first")
+    # NaN is in every maximum, and compares as False.
+    if array.size and not max(array.max(), -array.min()) <= LARGEST:
+        if not np.isfinite(array).all():
+            raise ValueError(
+                f"{name} must be finite, got NaN or infinity: remove those entries first"
+            )
+        raise ValueError(f"{name} holds a number beyond {LARGEST:g}: check its unit")
     return array
 
 
@@ -124,11 +132,30 @@ def check_points(value: ArrayLike, dimension: int, name: str) -> Array:
     return array
 
 
+def check_rows(value: ArrayLike, name: str, least: int = 1) -> Array:
+    """Return `value` as rows of at least so many numbers each, or as one such row."""
+    array = check_numbers(value, name)
+    if array.ndim not in (1, 2) or array.shape[-1] < least:
+        raise ValueError(
+            f"{name} must be rows of {least} or more numbers, got shape {array.shape}: "
+            "points are rows"
+        )
+    return array
+
+
 def check_directions(value: ArrayLike, name: str) -> Array:
     """Return `value` as directions in rows, shape ``(N, 3)`` or ``(3,)``, none of them zero."""
     array = check_points(value, 3, name)
     if not array.any(axis=-1).all():
         raise ValueError(f"{name} holds a zero vector, which points nowhere")
+    return array
+
+
+def check_direction(value: ArrayLike, name: str, length: int = 3) -> Array:
+    """Return `value` as one vector of shape ``(length,)`` that is not zero."""
+    array = check_vector(value, length, name)
+    if np.abs(array).max() <= 1 / LARGEST:
+        raise ValueError(f"{name} is a zero vector, which points nowhere")
     return array
 
 
