@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.camera import Camera, camera_at
 from course_lib.drawing.diagrams import figure, fit, panels, picture_frame, sketch, write
+from course_lib.drawing.space import onlooker, show_axes, show_frustum
 from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREY, LIGHT, ROLES
 
 if TYPE_CHECKING:
@@ -129,54 +129,15 @@ def frames() -> Figure:
     """
     fig, (left, right) = panels(1, 2, (FULL_WIDTH, 3.7), width_ratios=[1.15, 1])
     sketch(left, "In space")
-    onlooker = _camera((4.6, -5.4, 4.0), (0.75, 1.2, 0.55), 900)
-    small = _camera((0.0, 0.0, 1.1), (0.55, 4.0, 0.75), 700)
-    _frustum(left, onlooker, small)
+    view = onlooker((4.6, -5.4, 4.0), (0.75, 1.2, 0.55), 900)
+    small = onlooker((0.0, 0.0, 1.1), (0.55, 4.0, 0.75), 700)
+    show_frustum(left, view, small)
     world = np.array([1.1, 0.1, 0.0])
-    _axes_of(left, onlooker, world, np.eye(3) * 0.75, "XYZ", ROLES["guide"], "world")
-    centre = -small.R.T @ small.t
-    _axes_of(left, onlooker, centre, small.R * 0.9, "xyz", ROLES["camera"], "camera")
+    show_axes(left, view, world, np.eye(3) * 0.75, "XYZ", "guide", "world")
+    show_axes(left, view, small.centre, small.R * 0.9, "xyz", "camera", "camera")
     left.set(xlim=(40, 460), ylim=(420, 60))
     _picture_axes(right)
     return fig
-
-
-def _camera(eye: ArrayLike, target: ArrayLike, f: float) -> Camera:
-    K = np.array([[f, 0, 319.5], [0, f, 239.5], [0, 0, 1]])
-    return camera_at(eye, target, K, (640, 480))
-
-
-def _frustum(ax: Axes, onlooker: Camera, camera: Camera, depth: float = 2.0) -> None:
-    width, height = camera.image_size
-    corners = np.array([[0, 0], [width, 0], [width, height], [0, height]]) - 0.5
-    rays = np.column_stack([corners, np.ones(4)]) @ np.linalg.inv(camera.K).T * depth
-    world = (rays - camera.t) @ camera.R
-    plane = onlooker.project(world)
-    ax.fill(*plane.T, fc=ROLES["image"], alpha=0.18, ec="none")
-    ax.plot(*np.vstack([plane, plane[:1]]).T, color=ROLES["image"], lw=1.5)
-    for corner in world:
-        ax.plot(*onlooker.project([camera.centre, corner]).T, color=GREY, lw=0.8)
-    u, v = plane.mean(axis=0)
-    ax.text(u + 20, v + 14, "picture", color=ROLES["image"], ha="center")
-
-
-def _axes_of(
-    ax: Axes,
-    onlooker: Camera,
-    origin: NDArray[np.float64],
-    directions: NDArray[np.float64],
-    names: str,
-    colour: str,
-    label: str,
-) -> None:
-    start = onlooker.project(origin)
-    for name, direction in zip(names, directions, strict=True):
-        tip = onlooker.project(origin + direction)
-        arrow = {"arrowstyle": "-|>", "color": colour, "lw": 2, "shrinkA": 0, "shrinkB": 0}
-        ax.annotate("", xy=tuple(tip), xytext=tuple(start), arrowprops=arrow)
-        beyond = tip + 13 * (tip - start) / np.linalg.norm(tip - start)
-        write(ax, beyond, f"${name}$", color=colour, fontsize=13)
-    ax.text(start[0] - 8, start[1] + 14, label, color=colour, ha="right", va="center")
 
 
 def _picture_axes(ax: Axes) -> None:
