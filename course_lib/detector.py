@@ -180,10 +180,12 @@ def expose_with_field(
             "one random number for each pixel"
         )
     # A full well holds a fixed number of electrons: no shot noise is left in it.
-    shot = np.where(electrons < sensor.full_well, electrons, 0)
-    noise = np.sqrt(shot + sensor.read_noise**2)
-    electrons = np.minimum(electrons, sensor.full_well) + noise * field
-    return digitise(sensor.gain * electrons + sensor.offset, sensor)
+    variance = np.where(electrons < sensor.full_well, electrons, 0) + sensor.read_noise**2
+    levels = np.sqrt(variance, out=variance) * field
+    levels += np.minimum(electrons, sensor.full_well)
+    levels *= sensor.gain
+    levels += sensor.offset
+    return digitise(levels, sensor)
 
 
 def digitise(levels: ArrayLike, sensor: SensorModel) -> NDArray[np.unsignedinteger]:
@@ -208,7 +210,8 @@ def digitise(levels: ArrayLike, sensor: SensorModel) -> NDArray[np.unsignedinteg
     """
     levels = check_numbers(levels, "levels")
     kind = np.uint8 if sensor.bits <= 8 else np.uint16
-    return np.clip(np.rint(levels), 0, sensor.white).astype(kind)
+    whole = np.rint(levels)
+    return np.clip(whole, 0, sensor.white, out=whole if whole.ndim else None).astype(kind)
 
 
 def _poisson(mean: Array, rng: np.random.Generator) -> Array:

@@ -1,7 +1,7 @@
 """The colour mosaic on a sensor: one colour a pixel, and the two others guessed.
 
-Rows and columns count from the top left; the pattern there is ``R G`` above ``G B`` ("RGGB"). Use
-these functions through `course_lib.sensor`.
+A pattern is named by the colours of the square of 2 × 2 pixels in the top left corner, row by row:
+"RGGB" is ``R G`` above ``G B``. Use these functions through `course_lib.sensor`.
 """
 
 from __future__ import annotations
@@ -9,16 +9,30 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.checks import check_numbers
+from course_lib.checks import Array, check_numbers
+
+#: Steps (rows, columns) to the neighbours that a missing colour is the mean of.
+ACROSS, UPRIGHT = ((0, -1), (0, 1)), ((-1, 0), (1, 0))
+CROSS = ACROSS + UPRIGHT
+DIAGONAL = ((-1, -1), (-1, 1), (1, -1), (1, 1))
+#: Steps for red, green and blue at the four places of an RGGB square; none: the pixel has seen it.
+STEPS = {
+    (0, 0): ((), CROSS, DIAGONAL),
+    (0, 1): (ACROSS, (), UPRIGHT),
+    (1, 0): (UPRIGHT, (), ACROSS),
+    (1, 1): (DIAGONAL, CROSS, ()),
+}
 
 
-def bayer_masks(shape: tuple[int, int]) -> NDArray[np.bool_]:
-    """Return which pixels of an RGGB mosaic see which colour.
+def bayer_masks(shape: tuple[int, ...], pattern: str = "RGGB") -> NDArray[np.bool_]:
+    """Return which pixels of a mosaic see which colour.
 
     Parameters
     ----------
     shape : tuple of int
         Rows and columns of the mosaic, both even.
+    pattern : str
+        Colours of the first row's first two pixels, then of the second row's.
 
     Returns
     -------
@@ -28,46 +42,50 @@ def bayer_masks(shape: tuple[int, int]) -> NDArray[np.bool_]:
     Raises
     ------
     ValueError
-        If the mosaic does not consist of whole 2 × 2 squares.
+        If the mosaic does not consist of whole 2 × 2 squares, or the pattern is none.
 
     Examples
     --------
-    >>> bayer_masks((2, 2)).argmax(axis=2)
-    array([[0, 1],
-           [1, 2]])
+    >>> bayer_masks((2, 4), "GBRG").argmax(axis=2)
+    array([[1, 2, 1, 2],
+           [0, 1, 0, 1]])
     """
-    rows, columns = shape
-    if rows < 2 or columns < 2 or rows % 2 or columns % 2:
+    if len(shape) != 2 or min(shape) < 2 or shape[0] % 2 or shape[1] % 2:
         raise ValueError(
-            f"an RGGB mosaic needs an even number of rows and columns, got {rows} × {columns}: "
+            f"a mosaic has an even number of rows and of columns, got shape {tuple(shape)}: "
             "cut off the last row or column"
         )
-    masks = np.zeros((rows, columns, 3), dtype=bool)
-    masks[0::2, 0::2, 0] = True
-    masks[0::2, 1::2, 1] = True
-    masks[1::2, 0::2, 1] = True
-    masks[1::2, 1::2, 2] = True
+    if sorted(pattern) != ["B", "G", "G", "R"]:
+        raise ValueError(
+            f"pattern must be like 'RGGB', with two G, one R and one B, got {pattern!r}"
+        )
+    masks = np.zeros((*shape, 3), dtype=bool)
+    for i, letter in enumerate(pattern):
+        masks[i // 2 :: 2, i % 2 :: 2, "RGB".index(letter)] = True
     return masks
 
 
-def bayer_mosaic(image: ArrayLike) -> NDArray[np.generic]:
+def bayer_mosaic(image: ArrayLike, pattern: str = "RGGB") -> NDArray[np.generic]:
     """Return what a sensor behind a mosaic of colour filters sees of a colour picture.
 
     Parameters
     ----------
     image : array_like, shape (rows, columns, 3)
         Red, green and blue at every pixel; an even number of rows and of columns.
+    pattern : str
+        The filters of the top left square of 2 × 2 pixels, first row first. With "RGGB" the
+        picture's first row is ``R G R G …``, the second ``G B G B …``, and so on in turns.
 
     Returns
     -------
     ndarray, shape (rows, columns)
-        One number a pixel, of the type of `image`: the colour of its filter. The filters are
-        ``R G R G …`` in the first row, ``G B G B …`` in the second, and so on ("RGGB").
+        One number a pixel, of the type of `image`: the colour of its filter.
 
     Raises
     ------
     TypeError, ValueError
-        If `image` is not a colour picture, or has an odd number of rows or columns.
+        If `image` is not a colour picture, has an odd number of rows or columns, or the pattern
+        is none.
 
     References
     ----------
@@ -75,16 +93,67 @@ def bayer_mosaic(image: ArrayLike) -> NDArray[np.generic]:
 
     Examples
     --------
-    >>> bayer_mosaic([[[1, 2, 3], [4, 5, 6]], [[7, 8, 9], [10, 11, 12]]])
+    >>> image = [[[1, 2, 3], [4, 5, 6]], [[7, 8, 9], [10, 11, 12]]]
+    >>> bayer_mosaic(image)
     array([[ 1,  5],
            [ 8, 12]])
+    >>> bayer_mosaic(image, "GBRG")
+    array([[ 2,  6],
+           [ 7, 11]])
     """
     image = check_colour(image, "image")
-    bayer_masks(image.shape[:2])
-    mosaic = image[:, :, 1].copy()
-    mosaic[0::2, 0::2] = image[0::2, 0::2, 0]
-    mosaic[1::2, 1::2] = image[1::2, 1::2, 2]
+    bayer_masks(image.shape[:2], pattern)
+    mosaic = np.empty(image.shape[:2], dtype=image.dtype)
+    for i, letter in enumerate(pattern):
+        square = slice(i // 2, None, 2), slice(i % 2, None, 2)
+        mosaic[square] = image[..., "RGB".index(letter)][square]
     return mosaic
+
+
+def demosaic_bilinear(mosaic: ArrayLike) -> Array:
+    """Return a colour picture from an RGGB mosaic, with the missing colours interpolated.
+
+    Parameters
+    ----------
+    mosaic : array_like, shape (rows, columns)
+        One number a pixel behind the filters ``R G R G …`` (first row), ``G B G B …`` (second
+        row) and so on; an even number of rows and of columns.
+
+    Returns
+    -------
+    ndarray, shape (rows, columns, 3)
+        Red, green and blue at every pixel. The colour that a pixel has seen is kept as it is. Each
+        other colour is the mean of those of the 8 pixels around that have seen it and are nearest:
+        2 or 4 of them inside the picture, fewer at its edge.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If `mosaic` is not one number a pixel, or has an odd number of rows or columns.
+
+    References
+    ----------
+    R. Szeliski, Computer Vision, 2nd ed., section 10.3.1 (demosaicing).
+
+    Examples
+    --------
+    >>> demosaic_bilinear([[10, 2, 10, 2], [4, 7, 4, 7]])[0, 1]
+    array([10.,  2.,  7.])
+    """
+    mosaic = check_numbers(mosaic, "mosaic")
+    image = np.repeat(mosaic[..., None], 3, axis=-1)
+    bayer_masks(mosaic.shape)  # whole squares only
+    rows, columns = mosaic.shape
+    # A frame of zeros, 1 px wide, lets every pixel have 8 neighbours; those inside are counted.
+    values, inside = np.pad(mosaic, 1), np.pad(np.ones(mosaic.shape), 1)
+    for (row, column), colours in STEPS.items():
+        for colour, steps in enumerate(colours):
+            starts = [(1 + row + r, 1 + column + c) for r, c in steps]
+            near = [np.s_[top : top + rows : 2, left : left + columns : 2] for top, left in starts]
+            if near:
+                mean = sum(values[place] for place in near) / sum(inside[place] for place in near)
+                image[row::2, column::2, colour] = mean
+    return image
 
 
 def check_colour(image: ArrayLike, name: str) -> NDArray[np.generic]:
