@@ -164,3 +164,12 @@ def picture_frame(ax: Axes, size: tuple[int, int]) -> None:
     ax.set(xlim=(-0.5, width - 0.5), ylim=(height - 0.5, -0.5), aspect="equal")
     ax.set(xlabel="u (px)", ylabel="v (px)")
     ax.spines[["top", "right"]].set_visible(True)
+
+
+def plain_numbers(ax: Axes) -> None:
+    """Label logarithmic axes with plain numbers."""
+    from matplotlib.ticker import NullFormatter
+
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_formatter(lambda value, _: f"{value:g}")
+        axis.set_minor_formatter(NullFormatter())

@@ -1,0 +1,240 @@
+"""The ray tracer: an object, one or two thin lenses, and where its image comes to be."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from course_lib.checks import DegenerateConfigurationError
+from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Readout
+from course_lib.drawing.explorers.plot import disc
+from course_lib.optics import (
+    cardinal_points,
+    free_space,
+    image_of_point,
+    system_matrix,
+    thin_lens,
+    trace_rays,
+)
+
+Floats = NDArray[np.float64]
+
+ONE, COLLECTING, SPREADING = "none", "collecting, f₂ > 0", "spreading, f₂ < 0"
+SECOND = (ONE, COLLECTING, SPREADING)
+
+SIZE = (760, 330)  # px
+LENS_U, AXIS_V = 330.0, 162.0  # px: where the first lens stands on the axis
+ALONG, UP = 1.0, 3.0  # px a mm: heights are drawn larger than lengths
+HEIGHT = 15.0  # mm: of the object
+FAR = 1e5  # mm: what is farther, or larger than this, is called infinite
+RIM = 28.0  # mm: half the height of a lens
+ENDS = ((0 - LENS_U) / ALONG, (SIZE[0] - LENS_U) / ALONG)  # mm: what the picture shows
+
+
+def ray_tracer_frame(Z: float, f1: float, second: str, f2: float, d: float) -> Frame:
+    """Return rays from an object through one or two lenses.
+
+    Parameters
+    ----------
+    Z : float
+        Distance from the object to the first lens, mm.
+    f1, f2 : float
+        Focal lengths, mm, positive; that of the second lens counts negative when it spreads.
+    second : str
+        One of `SECOND`.
+    d : float
+        Distance between the lenses, mm.
+
+    Returns
+    -------
+    Frame
+        The drawing, and the numbers of the system.
+    """
+    lenses = [(0.0, f1)]
+    if second != ONE:
+        lenses.append((d, f2 if second == COLLECTING else -f2))
+    system = system_matrix(_elements(lenses))
+    image, m = image_of_point(system, Z)
+    focal, front, back = _cardinal(system)
+    lines, labels = _planes(front, lenses[-1][0] + back) if len(lenses) > 1 else ((), ())
+    drawing = Picture(
+        "Rays of the arrow's tip",
+        _in_words(Z, lenses, image, m),
+        SIZE,
+        lines=(
+            *lines,
+            *_scene(Z, lenses),
+            *_rays(Z, lenses, image),
+            *_image(lenses[-1][0], image, m),
+        ),
+        labels=(*labels, *_labels(Z, lenses, image, m)),
+    )
+    return Frame((drawing,), _numbers(image, m, focal, front, back))
+
+
+def _elements(lenses: list[tuple[float, float]]) -> list[Floats]:
+    """Return the lenses and the ways between them, as matrices in the order of the light."""
+    elements, place = [], 0.0
+    for where, f in lenses:
+        elements += [free_space(where - place), thin_lens(f)]
+        place = where
+    return elements
+
+
+def _cardinal(system: Floats) -> tuple[float, float, float]:
+    """Return focal length and principal planes; infinite for a telescope."""
+    try:
+        return cardinal_points(system)
+    except DegenerateConfigurationError:
+        return np.inf, np.inf, np.inf
+
+
+def _pixels(points: object) -> Floats:
+    """Return pixels from (place on the axis, height) in mm."""
+    x, y = np.asarray(points, dtype=float).T
+    return np.stack([LENS_U + ALONG * x, AXIS_V - UP * y], axis=1)
+
+
+def _at(x: float, y: float, right: float = 0, down: float = 0) -> tuple[float, float]:
+    """Return one pixel, moved to the right and down."""
+    ((u, v),) = _pixels([(x, y)])
+    return float(u) + right, float(v) + down
+
+
+def _path(Z: float, at_lens: float, lenses: list[tuple[float, float]]) -> Floats:
+    """Return the corners of a ray from the tip that meets the first lens at a height, mm."""
+    angle = (at_lens - HEIGHT) / Z
+    way = [free_space(Z), *_elements(lenses)[1:], free_space(ENDS[1] - lenses[-1][0])]
+    heights = trace_rays(way, (HEIGHT, angle))[:, 0]
+    places = [-Z, *(where for where, _ in lenses), ENDS[1]]
+    return np.stack([places, [heights[0], *heights[1:-1:2], heights[-1]]], axis=1)
+
+
+def _rays(Z: float, lenses: list[tuple[float, float]], image: float) -> list[Line]:
+    """Return the light of the tip, three rays of it, and where they seem to come from."""
+    f1 = lenses[0][1]
+    rims = [_path(Z, y, lenses) for y in (RIM, -RIM)]
+    lines = [Line(_pixels(np.vstack([rims[0], rims[1][::-1]])), "ray", 0.5, closed=True, fill=0.12)]
+    heights = [HEIGHT, 0.0]
+    if abs(Z - f1) > 1e-9:
+        heights.append(-HEIGHT * f1 / (Z - f1))  # it passes the front focal point
+    paths = [_path(Z, y, lenses) for y in heights if abs(y) <= RIM]
+    lines += [Line(_pixels(path), "ray", 2.0) for path in paths]
+    if np.isfinite(image) and image < 0:
+        back = max(lenses[-1][0] + image, ENDS[0])
+        for path in paths:
+            (x, y), (right, high) = path[-2:]
+            there = y + (high - y) / (right - x) * (back - x)
+            lines.append(Line(_pixels([(x, y), (back, there)]), "ray", 1.2, dashed=True))
+    return lines
+
+
+def _scene(Z: float, lenses: list[tuple[float, float]]) -> list[Line]:
+    """Return the axis, the object, the lenses and their focal points."""
+    lines = [Line(_pixels([(ENDS[0], 0), (ENDS[1], 0)]), "guide", 1.0, dashed=True)]
+    for where, f in lenses:
+        lines += _lens(where, f)
+    f1 = lenses[0][1]
+    lines += [Line(disc(_at(x, 0), 4), "camera", 1.0, closed=True, fill=1.0) for x in (-f1, f1)]
+    return [*lines, *_arrow(-Z, HEIGHT, "object")]
+
+
+def _lens(where: float, f: float) -> list[Line]:
+    """Return a lens: outer tips for one that collects light, inner ones for one that spreads."""
+    u, top = _at(where, RIM)
+    bottom = _at(where, -RIM)[1]
+    out = 9.0 if f > 0 else -9.0
+    tips = [
+        [[u - 7, end + turn * out], [u, end], [u + 7, end + turn * out]]
+        for end, turn in ((top, 1), (bottom, -1))
+    ]
+    stem = Line([[u, top], [u, bottom]], "camera", 3.0)
+    return [stem, *(Line(tip, "camera", 3.0) for tip in tips)]
+
+
+def _arrow(x: float, height: float, role: str) -> list[Line]:
+    """Return an upright arrow on the axis."""
+    (u, foot), (_, tip) = _at(x, 0), _at(x, height)
+    size = min(10.0, abs(tip - foot))
+    back = tip + size * np.sign(foot - tip)
+    head = [[u, tip], [u - 5, back], [u + 5, back]]
+    return [Line([[u, foot], [u, tip]], role, 3.5), Line(head, role, 1.0, closed=True, fill=1.0)]
+
+
+def _image(last: float, image: float, m: float) -> list[Line]:
+    """Return the image as an arrow, if it lies in the picture."""
+    if not _shown(last + image):
+        return []
+    return _arrow(last + image, HEIGHT * m, "image")
+
+
+def _shown(x: float) -> bool:
+    """Return whether a place on the axis is in the picture."""
+    return bool(np.isfinite(x)) and ENDS[0] + 8 < x < ENDS[1] - 8
+
+
+def _planes(front: float, back: float) -> tuple[tuple[Line, ...], tuple[Label, ...]]:
+    """Return the principal planes of a system, dashed, with their names."""
+    lines, labels = [], []
+    for x, name, lower in ((front, "H", 14), (back, "H′", 28)):
+        if _shown(x):
+            lines.append(Line(_pixels([(x, 36), (x, -36)]), "second", 1.8, dashed=True))
+            labels.append(Label(name, _at(x, -36, 0, lower), "second", "middle"))
+    return tuple(lines), tuple(labels)
+
+
+def _labels(
+    Z: float, lenses: list[tuple[float, float]], image: float, m: float
+) -> tuple[Label, ...]:
+    """Return the names of what is seen."""
+    f1 = lenses[0][1]
+    labels = [
+        Label("object", _at(-Z, HEIGHT, 0, -12), "object", "middle"),
+        Label("F", _at(-f1, 0, 0, 16), "camera", "middle"),
+        Label("F′", _at(f1, 0, 0, 16), "camera", "middle"),
+        Label("lens 1" if len(lenses) > 1 else "lens", _at(0, RIM, 0, -14), "camera", "middle"),
+        Label("heights are drawn 3 times as large as lengths", (8, SIZE[1] - 10), "guide"),
+    ]
+    if len(lenses) > 1:
+        near = lenses[1][0] < 48  # the names would touch
+        labels.append(Label("2" if near else "lens 2", _at(lenses[1][0], RIM, 0, -14), "camera"))
+    place = lenses[-1][0] + image
+    if _shown(place):
+        name = "image" if image > 0 else "virtual image"
+        tip = float(np.clip(HEIGHT * m, -46, 46))
+        labels.append(Label(name, _at(place, tip, 0, 13 if m < 0 else -12), "image", "middle"))
+    return tuple(labels)
+
+
+def _numbers(
+    image: float, m: float, focal: float, front: float, back: float
+) -> tuple[Readout, ...]:
+    """Return the numbers beside the drawing."""
+    return (
+        Readout("Image behind the last lens", "s", _text(image, 1), "mm"),
+        Readout("Magnification", "", _text(m, 2), "×"),
+        Readout("Focal length of the whole", "f", _text(focal, 1), "mm"),
+        Readout("Power of the whole", "1/f", _text(1000 / focal, 1), "dpt"),
+        Readout("H behind lens 1", "", _text(front, 1), "mm"),
+        Readout("H′ behind the last lens", "", _text(back, 1), "mm"),
+    )
+
+
+def _text(value: float, digits: int) -> str:
+    """Return a number with a true minus sign, or the sign of infinity."""
+    if abs(value) > FAR:
+        return "∞"
+    return f"{value + 0.0:.{digits}f}".replace("-", "−")
+
+
+def _in_words(Z: float, lenses: list[tuple[float, float]], image: float, m: float) -> str:
+    """Say what the drawing shows."""
+    glass = " and ".join(f"f = {_text(f, 0)} mm" for _, f in lenses)
+    start = f"An object {Z:g} mm before a lens, {glass}: "
+    if abs(image) > FAR:
+        return start + "the rays leave parallel, and there is no image."
+    kind = "a real image" if image > 0 else "a virtual image"
+    way = "behind" if image > 0 else "before"
+    turn = "upside down" if m < 0 else "upright"
+    where = f"{abs(image):.0f} mm {way} the last lens"
+    return f"{start}{kind} {where}, {turn}, {abs(m):.2f} times as large."

@@ -1,0 +1,38 @@
+"""The explorers of chapter 03."""
+
+from __future__ import annotations
+
+from course_lib.drawing.explorers.aperture_window import STOPS, aperture_window_frame
+from course_lib.drawing.explorers.ray_tracer import ONE, SECOND, ray_tracer_frame
+from course_lib.widgets.controls import Choice, Slider
+from course_lib.widgets.explorer import Explorer
+
+
+def ray_tracer_explorer() -> Explorer:
+    """Return the ray tracer: an object and one or two thin lenses."""
+    return Explorer(
+        "Rays through thin lenses",
+        [
+            Slider("Z", "Distance of the object", "Z", "mm", 20, 320, 150, step=5),
+            Slider("f1", "Focal length of lens 1", "f₁", "mm", 20, 150, 60, step=5),
+            Choice("second", "Second lens", SECOND, ONE),
+            Slider("f2", "Focal length of lens 2", "|f₂|", "mm", 20, 150, 30, step=5),
+            Slider("d", "Between the lenses", "d", "mm", 5, 150, 30, step=1),
+        ],
+        ray_tracer_frame,
+    )
+
+
+def aperture_window_explorer() -> Explorer:
+    """Return the aperture window: defocus and diffraction against the f-number."""
+    return Explorer(
+        "The aperture window",
+        [
+            Slider("N", "f-number", "N", "", 1.4, 32, 2.8, steps=60, landmarks=STOPS),
+            Slider("f", "Focal length", "f", "mm", 16, 200, 85, step=1),
+            Slider("near", "Nearest point", "", "m", 0.5, 10, 2, step=0.1, digits=1),
+            Slider("depth", "Depth of the range", "", "m", 0.05, 5, 0.5, step=0.05, digits=2),
+            Slider("pitch", "Pixel pitch", "", "µm", 2, 14, 13.5, step=0.5, digits=1),
+        ],
+        aperture_window_frame,
+    )
