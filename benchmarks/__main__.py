@@ -12,6 +12,7 @@ from benchmarks.table import RESULTS, Row, write_section
 ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "explorers": latency.measure,
     "importing": compute.importing,
+    "projecting": compute.projecting,
     "rendering": compute.rendering,
     "starting": commands.starting,
     "building": commands.building,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 import statistics
 import subprocess
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 
 from benchmarks.table import Row
 
@@ -44,6 +46,42 @@ def rendering(rounds: int = 15) -> list[Row]:
     ours, theirs = alternating(quick, rays, rounds)
     cv2.setNumThreads(threads)
     return [Row("street, 640 × 480, smooth", ours, "ms", "ray casting, jagged", theirs, "≤ 20 ms")]
+
+
+def projecting() -> list[Row]:
+    """Measure the projection of points to equal pixels, with one thread."""
+    code = "import json; from benchmarks import compute; print(json.dumps(compute.project_times()))"
+    # The number of threads of the BLAS can only be set before NumPy is there.
+    alone = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+    output = subprocess.run(
+        [sys.executable, "-c", code], check=True, env=alone, capture_output=True
+    )
+    return [
+        Row(f"project {count} points", ours, "ms", "cv2.projectPoints", theirs, "≤ 0.2 ×")
+        for count, (ours, theirs) in json.loads(output.stdout).items()
+    ]
+
+
+def project_times(rounds: int = 15) -> dict[str, list[float]]:
+    """Return how long we and OpenCV take to project many points, ms, by their number."""
+    import cv2
+    import numpy as np
+
+    from course_lib.camera import camera_matrix, project
+
+    cv2.setNumThreads(1)
+    K = np.array([[1000.0, 0, 640], [0, 1010, 480], [0, 0, 1]])
+    turn, t = np.array([0.1, 0.2, 0.3]), np.array([0.1, 0.2, 5.0])
+    P, times = camera_matrix(K, cv2.Rodrigues(turn)[0], t), {}
+    for count in (10**5, 10**6):
+        points = np.random.default_rng(0).uniform(-1, 1, (count, 3))
+        ours, theirs = (
+            partial(project, points, P),
+            partial(cv2.projectPoints, points, turn, t, K, None),
+        )
+        np.testing.assert_allclose(ours(), theirs()[0][:, 0], rtol=0, atol=1e-9)
+        times[f"{count:,}".replace(",", " ")] = alternating(ours, theirs, rounds)
+    return times
 
 
 def alternating(one: Callable[[], object], other: Callable[[], object], rounds: int) -> list[float]:

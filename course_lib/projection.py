@@ -93,9 +93,13 @@ def project(points: ArrayLike, P: ArrayLike) -> Array:
            [nan, nan]])
     """
     points, P = check_points(points, 3, "points"), check_finite_camera(P)
-    x = points @ P[:, :3].T + P[:, 3]
-    w = x[..., 2:]
-    return x[..., :2] / np.where(w > 0, w, np.nan)
+    # One row for each coordinate of all points: whole rows are quick to divide.
+    x = P[:, :3] @ points.reshape(-1, 3).T
+    x += P[:, 3:]
+    x[2, x[2] <= 0] = np.nan
+    pixels = np.empty((x.shape[1], 2))
+    np.divide(x[:2], x[2], out=pixels.T)
+    return pixels.reshape(*points.shape[:-1], 2)
 
 
 def pixel_ray(pixels: ArrayLike, K: ArrayLike, R: ArrayLike, t: ArrayLike) -> tuple[Array, Array]:
