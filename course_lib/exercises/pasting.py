@@ -79,8 +79,10 @@ def paste(function: Callable[..., Any], name: str = "") -> Pasted:
 def needed_imports(function: Callable[..., Any], definition: ast.FunctionDef) -> list[str]:
     """Return the import lines for the global names that a function's statements use."""
     used = [node for part in definition.body for node in ast.walk(part)]
-    names = {node.id for node in used if isinstance(node, ast.Name)}
-    scope = inspect.unwrap(function).__globals__
+    plain = inspect.unwrap(function)
+    own = {*plain.__code__.co_varnames, *plain.__code__.co_cellvars}  # they hide global names
+    names = {node.id for node in used if isinstance(node, ast.Name)} - own
+    scope = plain.__globals__
     found = {name: scope[name] for name in names if name in scope and not hasattr(builtins, name)}
     lines, by_module = [], dict[str, list[str]]()
     for name, value in sorted(found.items()):

@@ -50,6 +50,12 @@ def one_line(x):
     return x
 
 
+def hiding(helper, scale=2):
+    """Return helper times scale."""
+    one_line = helper * scale
+    return (lambda: one_line)()
+
+
 def bare(
     x: dict[str, int] = {},  # noqa: B006
 ) -> list[int]:
@@ -66,6 +72,12 @@ def run(source, name):
 
 def test_signature_has_no_annotations():
     assert paste(documented).signature == "def documented(x, *rest, scale=FACTOR, **more):"
+
+
+def test_its_own_names_are_not_imported():
+    source = paste(hiding).as_function()
+    assert "import" not in source
+    assert run(source, "hiding")(4) == 8
 
 
 def test_name_can_be_changed():
