@@ -1,0 +1,1 @@
+"""The still figures of chapter 04, one function each."""
