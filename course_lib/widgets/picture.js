@@ -18,11 +18,7 @@ const decode = (data) => createImageBitmap(new Blob([data], { type: "image/jpeg"
 function unpacked(picture, buffers) {
   const data = buffers[picture.image];
   const [codedWidth, codedHeight] = picture.size;
-  const frame = new VideoFrame(data, { format: "I420", codedWidth, codedHeight, timestamp: 0, colorSpace: BT601 });
-  const canvas = new OffscreenCanvas(codedWidth, codedHeight);
-  canvas.getContext("2d").drawImage(frame, 0, 0);
-  frame.close();
-  return canvas;
+  return new VideoFrame(data, { format: "I420", codedWidth, codedHeight, timestamp: 0, colorSpace: BT601 });
 }
 
 function aligned(view) {
@@ -31,7 +27,7 @@ function aligned(view) {
 
 function figure() {
   const canvas = make("canvas", { className: "ce-canvas", role: "img", tabIndex: 0 });
-  const cross = make("canvas", { className: "ce-cross", ariaHidden: true });
+  const cross = make("canvas", { className: "ce-cross", ariaHidden: true, hidden: true });
   const title = make("figcaption");
   const reading = make("p", { className: "ce-reading", ariaLive: "polite" });
   const box = make("div", { className: "ce-box" }, canvas, cross);
@@ -48,7 +44,8 @@ function figure() {
     const dense = window.devicePixelRatio || 1;
     const [w, h] = [Math.round(width * dense), Math.round((width * dense * picture.size[1]) / picture.size[0])];
     if (layer.width !== w || layer.height !== h) Object.assign(layer, { width: w, height: h });
-    const context = layer.getContext("2d");
+    const opaque = layer === canvas && photograph; // the browser then has less to blend
+    const context = layer.getContext("2d", { alpha: !opaque });
     const scale = w / picture.size[0];
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, w, h);
@@ -62,7 +59,7 @@ function figure() {
     const context = fit(canvas);
     if (photograph) context.drawImage(photograph, -0.5, -0.5, ...picture.size);
     for (const line of picture.lines) stroke(context, line, floats, style, Boolean(photograph));
-    for (const label of picture.labels) write(context, label, style, picture.size[0] / width, Boolean(photograph));
+    for (const label of picture.labels) write(context, label, style, Boolean(photograph));
     point(pointer);
   }
 
@@ -70,11 +67,12 @@ function figure() {
 
   function point(at) {
     pointer = at;
-    const context = fit(cross);
-    if (!at || !readable()) {
+    cross.hidden = !at || !readable();
+    if (cross.hidden) {
       rewrite(reading, readable() ? "Point at the picture to read it." : "");
       return;
     }
+    const context = fit(cross);
     const [w, h] = picture.size;
     const [u, v] = (pointer = [Math.min(Math.max(at[0], 0), w - 1), Math.min(Math.max(at[1], 0), h - 1)]);
     for (const [lineWidth, strokeStyle] of [[3, "rgba(0,0,0,.55)"], [1, "#fff"]]) {
@@ -92,12 +90,12 @@ function figure() {
     rewrite(reading, texts.join("  ·  "));
   }
 
-  cross.addEventListener("pointermove", (event) => {
+  box.addEventListener("pointermove", (event) => {
     if (!picture) return;
     const scale = picture.size[0] / width;
     point([event.offsetX * scale - 0.5, event.offsetY * scale - 0.5]);
   });
-  cross.addEventListener("pointerleave", () => { if (picture) point(null); });
+  box.addEventListener("pointerleave", () => { if (picture) point(null); });
   canvas.addEventListener("blur", () => { if (picture) point(null); });
   canvas.addEventListener("keydown", (event) => {
     const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
@@ -110,10 +108,16 @@ function figure() {
   return {
     element,
     restyle() { style = null; draw(); },
-    remove() { size.disconnect(); },
+    remove() {
+      size.disconnect();
+      photograph?.close();
+    },
     show(next, bitmap, numbers) {
       [picture, floats] = [next, numbers];
-      if (bitmap !== "same") photograph = bitmap;
+      if (bitmap !== "same") {
+        photograph?.close();
+        photograph = bitmap;
+      }
       box.classList.toggle("ce-photograph", Boolean(photograph));
       rewrite(title, picture.title);
       canvas.ariaLabel = picture.alt;
@@ -130,7 +134,7 @@ function styleOf(element) {
   const computed = getComputedStyle(element);
   const colours = {};
   const ink = (role) => (colours[role] ??= computed.getPropertyValue(`--ce-${role}`).trim());
-  return { ink, font: computed.fontFamily };
+  return { ink, font: computed.fontFamily, lettering: new Map() };
 }
 
 function stroke(context, line, floats, { ink }, onPhotograph) {
@@ -160,15 +164,32 @@ function stroke(context, line, floats, { ink }, onPhotograph) {
   context.stroke(path);
 }
 
-function write(context, label, { ink, font }, scale, onPhotograph) {
-  context.font = `${12 * scale}px ${font}`;
-  context.textAlign = label.anchor === "middle" ? "center" : label.anchor;
-  context.textBaseline = "middle";
-  context.setLineDash([]);
-  Object.assign(context, { lineWidth: 4 * scale, strokeStyle: onPhotograph ? "rgba(255,255,255,.8)" : ink("paper") });
-  context.strokeText(label.text, ...label.at);
-  context.fillStyle = ink(`${label.role}-text`);
-  context.fillText(label.text, ...label.at);
+// Outlining letters is slow, and most labels stay: each is drawn once, then copied.
+function write(context, label, { ink, font, lettering }, onPhotograph) {
+  const halo = onPhotograph ? "rgba(255,255,255,.8)" : ink("paper");
+  const key = [label.text, label.role, halo].join();
+  if (lettering.size > 200) lettering.clear();
+  if (!lettering.has(key)) lettering.set(key, lettered(label.text, font, ink(`${label.role}-text`), halo));
+  const { canvas, margin } = lettering.get(key);
+  const before = { start: 0, middle: 0.5, end: 1 }[label.anchor] * (canvas.width - 2 * margin) + margin;
+  const place = context.getTransform().transformPoint(new DOMPoint(...label.at));
+  context.save();
+  context.resetTransform();
+  context.drawImage(canvas, Math.round(place.x - before), Math.round(place.y - canvas.height / 2));
+  context.restore();
+}
+
+function lettered(text, font, fillStyle, strokeStyle) {
+  const dense = window.devicePixelRatio || 1;
+  const margin = Math.ceil(3 * dense), canvas = new OffscreenCanvas(1, 1), context = canvas.getContext("2d");
+  const style = { font: `${12 * dense}px ${font}`, textBaseline: "middle", lineWidth: 4 * dense, fillStyle, strokeStyle };
+  context.font = style.font;
+  canvas.width = Math.ceil(context.measureText(text).width) + 2 * margin;
+  canvas.height = Math.ceil(20 * dense);
+  Object.assign(context, style);
+  context.strokeText(text, margin, canvas.height / 2);
+  context.fillText(text, margin, canvas.height / 2);
+  return { canvas, margin };
 }
 
 function interpolate(probe, floats, x, y) {
