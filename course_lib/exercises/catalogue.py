@@ -8,7 +8,13 @@ import importlib
 from course_lib.judging import Exercise, Explain
 
 #: Chapters with exercises, in the order of the course: the module here, and the notebook's name.
-CHAPTERS = {"welcome": "00_welcome", "pinhole": "01_pinhole"}
+CHAPTERS = {
+    "welcome": "00_welcome",
+    "pinhole": "01_pinhole",
+    "homogeneous": "02_homogeneous",
+    "lenses": "03_lenses",
+    "sensor": "04_sensor",
+}
 
 
 def all_exercises(chapter: str | None = None) -> list[Exercise | Explain]:

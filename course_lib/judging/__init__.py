@@ -17,6 +17,7 @@ from course_lib.judging.comparison import (
     RaySet,
     RotationClose,
     UpToScale,
+    YesOrNo,
 )
 from course_lib.judging.exercise import (
     Case,
@@ -50,6 +51,7 @@ __all__ = [
     "UpToScale",
     "ValuesExercise",
     "Verdict",
+    "YesOrNo",
     "answer",
     "judge",
     "pose",

@@ -6,7 +6,7 @@ type, shape, values, so that the first thing to mend comes first.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -34,7 +34,10 @@ def describe(value: Any) -> str:
     if isinstance(value, int | float | complex):
         return "a number"
     if isinstance(value, np.ndarray):
-        return f"an array of shape {value.shape}" if value.ndim else "a number"
+        truth = value.dtype.kind == "b"
+        if not value.ndim:
+            return "True or False" if truth else "a number"
+        return f"an array of {'truth values of ' if truth else ''}shape {value.shape}"
     if isinstance(value, tuple | list):
         return f"a {type(value).__name__} of {len(value)} values"
     if isinstance(value, str | dict):
@@ -98,6 +101,8 @@ class Close:
             return Mismatch("values", "Some values are NaN (not a number) that should be numbers.")
         if np.isnan(truth[~right]).all():
             return Mismatch("values", "Some values are numbers that should be NaN (no answer).")
+        if np.isinf(truth[~right]).all():
+            return Mismatch("values", "Some values should be infinite (`np.inf`) and are not.")
         if np.isclose(array, truth, rtol=3e-3, atol=0, equal_nan=True).all():
             nearly = "Nearly right, less than 0.3 % off. Is it rounded, or a small thing missing?"
             return Mismatch("values", nearly)
@@ -110,14 +115,22 @@ class Close:
         if not isinstance(got, dict) or set(got) != set(expected):
             names = ", ".join(map(str, expected))
             return Mismatch("type", f"A dictionary with the keys {names} was expected.")
-        return next((miss for k in expected if (miss := self(got[k], expected[k]))), None)
+        pairs = ((f"`{key}`", got[key], expected[key]) for key in expected)
+        return self._first_wrong(pairs)
 
     def _elements(self, got: Any, expected: tuple[Any, ...]) -> Mismatch | None:
-        if not isinstance(got, tuple | list | np.ndarray) or len(got) != len(expected):
+        several = isinstance(got, tuple | list) or (isinstance(got, np.ndarray) and got.ndim > 0)
+        if not several or len(got) != len(expected):
             message = f"The answer is {describe(got)}; {len(expected)} values were expected."
             return Mismatch("type", message)
-        pairs = zip(got, expected, strict=True)
-        return next((miss for g, e in pairs if (miss := self(g, e))), None)
+        names = (f"Value {i} of {len(expected)}" for i in range(1, len(expected) + 1))
+        return self._first_wrong(zip(names, got, expected, strict=True))
+
+    def _first_wrong(self, pairs: Iterable[tuple[str, Any, Any]]) -> Mismatch | None:
+        for name, got, expected in pairs:
+            if miss := self(got, expected):
+                return Mismatch(miss.kind, f"{name}: {miss.message}")
+        return None
 
 
 @dataclass(frozen=True)
@@ -134,10 +147,37 @@ class Exactly:
 
 
 @dataclass(frozen=True)
+class YesOrNo:
+    """One truth value, or an array or a list of them: True and False, not numbers."""
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return why `got` is not `expected`, or None."""
+        truth = np.asarray(expected)
+        wrong_type = f"The answer is {describe(got)}; {describe(truth)} was expected."
+        try:
+            array = np.asarray(got)
+        except ValueError:  # rows of different length
+            return Mismatch("type", wrong_type)
+        if array.dtype.kind != "b":
+            return Mismatch("type", wrong_type)
+        if array.shape != truth.shape:
+            return Mismatch("shape", wrong_type)
+        wrong = np.count_nonzero(array != truth)
+        if not wrong:
+            return None
+        share = f"{wrong} of {truth.size} answers are" if truth.ndim else "The answer is"
+        return Mismatch("values", f"{share} not the right one{'s' * (truth.ndim > 0)}.")
+
+
+@dataclass(frozen=True)
 class UpToScale:
-    """Homogeneous arrays: equal after scaling to unit norm, with either sign."""
+    """Homogeneous arrays: equal after scaling to unit norm, with either sign.
+
+    With `rows`, each row has a scale of its own, as points and lines have.
+    """
 
     tolerance: float = 1e-6
+    rows: bool = False
 
     def __call__(self, got: Any, expected: Any) -> Mismatch | None:
         """Return why `got` is not `expected`, or None."""
@@ -145,14 +185,14 @@ class UpToScale:
         array = _numeric(got, truth)
         if isinstance(array, Mismatch):
             return array
-        norm = np.linalg.norm(array)
-        if not np.isfinite(norm) or norm == 0:
+        axis = -1 if self.rows else None
+        norm = np.linalg.norm(array, axis=axis, keepdims=True)
+        if not np.isfinite(norm).all() or (norm == 0).any():
             return Mismatch("values", "All values are zero, or some are not finite.")
-        unit, unit_truth = array / norm, truth / np.linalg.norm(truth)
-        if (
-            min(np.linalg.norm(unit - unit_truth), np.linalg.norm(unit + unit_truth))
-            < self.tolerance
-        ):
+        unit = array / norm
+        unit_truth = truth / np.linalg.norm(truth, axis=axis, keepdims=True)
+        differences = [np.linalg.norm(unit - s * unit_truth, axis=axis) for s in (1, -1)]
+        if (np.minimum(*differences) < self.tolerance).all():
             return None
         return Mismatch("values", "The answer is not a multiple of the right one.")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from course_lib.judging.answering import Answer, answer
-from course_lib.judging.comparison import Close, Comparison
+from course_lib.judging.comparison import Close, Comparison, Exactly
 from course_lib.judging.exercise import Case, Exercise, Misconception
 
 
@@ -57,7 +57,7 @@ def _agreement(
 def _alike(exercise: Exercise, given: Answer, outcome: Answer) -> bool:
     if given.status != "value" or outcome.status != "value":
         return (given.status, given.error) == (outcome.status, outcome.error)
-    return any(_agrees(way, given, outcome) for way in (exercise.compare, Close()))
+    return any(_agrees(way, given, outcome) for way in (exercise.compare, Close(), Exactly()))
 
 
 def _agrees(compare: Comparison, given: Answer, outcome: Answer) -> bool:

@@ -88,21 +88,32 @@ def test_untouched_stub_earns_nothing(exercise):
     assert not verdict.attempted
 
 
+def like(value, fill):
+    """Return something of the type and shape of an answer, with one number everywhere."""
+    if isinstance(value, dict):
+        return {key: like(entry, fill) for key, entry in value.items()}
+    if isinstance(value, tuple):
+        return tuple(like(entry, fill) for entry in value)
+    if np.asarray(value).dtype == bool:
+        return np.full_like(value, bool(fill))
+    return np.full_like(np.asarray(value, dtype=float), fill)
+
+
 @each_exercise
 @pytest.mark.parametrize("kind", ["none", "zero", "zeros", "nans", "ones", "inputs"])
 def test_lazy_answers_earn_nothing(exercise, kind):
     for seed in range(10):
         cases = pose(exercise, seed)
-        like = [np.asarray(expected_answer(exercise, case), dtype=float) for case in cases]
+        right = [expected_answer(exercise, case) for case in cases]
         lazy = {
             "none": lambda _, __: None,
             "zero": lambda _, __: 0.0,
-            "zeros": lambda _, value: np.zeros_like(value),
-            "nans": lambda _, value: np.full_like(value, np.nan),
-            "ones": lambda _, value: np.ones_like(value),
+            "zeros": lambda _, value: like(value, 0),
+            "nans": lambda _, value: like(value, np.nan),
+            "ones": lambda _, value: like(value, 1),
             "inputs": lambda case, _: next(iter(case.inputs.values())),
         }[kind]
-        values = [lazy(case, value) for case, value in zip(cases, like, strict=True)]
+        values = [lazy(case, value) for case, value in zip(cases, right, strict=True)]
         answers = [Answer("value", value) for value in values]
         assert judge(exercise, cases, answers).points == 0
 

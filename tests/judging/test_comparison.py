@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from course_lib.judging import Close, Exactly, ImageClose, RaySet, RotationClose, UpToScale
+from course_lib.judging import (
+    Close,
+    Exactly,
+    ImageClose,
+    RaySet,
+    RotationClose,
+    UpToScale,
+    YesOrNo,
+)
 
 ROTATION = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
 POINTS = np.array([[1.0, 2], [3, 4], [5, 6]])
@@ -21,7 +29,15 @@ POINTS = np.array([[1.0, 2], [3, 4], [5, 6]])
         (Exactly(), "f/8", "f/8"),
         (Exactly(), True, True),
         (Exactly(), np.array([1, 2]), np.array([1, 2])),
+        (Close(), np.array([1, np.inf]), np.array([1, np.inf])),
+        (Close(), (1.5, np.inf), (1.5, np.inf)),
+        (Close(), {"f": [50, 50]}, {"f": (50.0, 50.0)}),
+        (YesOrNo(), True, True),
+        (YesOrNo(), np.array(False), False),
+        (YesOrNo(), [True, False], np.array([True, False])),
         (UpToScale(), -3 * POINTS, POINTS),
+        (UpToScale(rows=True), [[-2, -4], [9, 12], [5, 6]], POINTS),
+        (UpToScale(rows=True), [-2, -4], POINTS[0]),
         (RotationClose(), ROTATION.tolist(), ROTATION),
         (RaySet(), 7 * POINTS[::-1], POINTS),
         (ImageClose(), np.full((4, 4), 101, np.uint8), np.full((4, 4), 100, np.uint8)),
@@ -47,8 +63,24 @@ def test_right_answers_agree(compare, got, expected):
         (Close(), 2.1, 2.0, "values", "not the right one"),
         (Close(), (1,), (1, 2), "type", "2 values"),
         (Close(), {"a": 1}, {"b": 1}, "type", "keys b"),
+        (Close(), np.array(1.0), (1, 2), "type", "2 values"),
+        (Close(), (1, 3), (1, 2), "values", "Value 2 of 2: "),
+        (Close(), {"a": 1, "b": (1, 3)}, {"a": 1, "b": (1, 2)}, "values", "`b`: Value 2 of 2: "),
+        (Close(), (1, -70), (1, np.inf), "values", "should be infinite"),
+        (Close(), np.inf, 5.0, "values", "not the right one"),
+        (Close(), np.array([True, False]), np.ones(2), "type", "truth values of shape (2,)"),
+        (YesOrNo(), 1, True, "type", "True or False was expected"),
+        (YesOrNo(), None, True, "type", "None"),
+        (YesOrNo(), [[True], [True, False]], np.ones(2, bool), "type", "a list"),
+        (YesOrNo(), [1, 0], np.array([True, False]), "type", "truth values of shape (2,)"),
+        (YesOrNo(), True, np.array([True, False]), "shape", "truth values of shape (2,)"),
+        (YesOrNo(), False, True, "values", "The answer is not the right one."),
+        (YesOrNo(), [True, True], np.array([True, False]), "values", "1 of 2 answers"),
         (Exactly(), 1, "1", "type", "a text"),
         (Exactly(), "f/4", "f/8", "values", "not the right one"),
+        (UpToScale(), [[-2, -4], [9, 12], [5, 6]], POINTS, "values", "not a multiple"),
+        (UpToScale(rows=True), [[1, 2], [3, 4], [5, 7]], POINTS, "values", "not a multiple"),
+        (UpToScale(rows=True), [[1, 2], [0, 0], [5, 6]], POINTS, "values", "zero"),
         (UpToScale(), 0 * POINTS, POINTS, "values", "zero"),
         (UpToScale(), POINTS + 1, POINTS, "values", "multiple"),
         (RotationClose(), 2 * ROTATION, ROTATION, "values", "not a rotation"),

@@ -98,6 +98,16 @@ def test_exceptions_are_put_in_plain_words():
     assert "np.array" in hidden.parts[0].feedback.message
 
 
+def test_a_misconception_may_give_texts():
+    def texts(values, factor):
+        return [str(value) for value in values]
+
+    exercise = replace(EXERCISE, misconceptions=[Misconception(texts, "Can one compute with it?")])
+    cases = pose(exercise, 3)
+    found = judge(exercise, cases, answer(exercise, texts, cases))
+    assert found.misconceptions == ("texts",)
+
+
 def test_warnings_are_a_note_and_cost_nothing():
     def warns(values, factor):
         return values * factor + 0 * (values / np.zeros(4) > 0)

@@ -1,0 +1,34 @@
+"""Chapter 03: the exercises on lenses."""
+
+from course_lib.exercises.lenses.imaging import (
+    F_NUMBER,
+    IMAGE_DISTANCE,
+    LENS_SYSTEM,
+    OBJECT_DISTANCE,
+    PARSE_LENS_NAME,
+)
+from course_lib.exercises.lenses.sharpness import (
+    AIRY_DIAMETER,
+    APERTURE_FOR_DEPTH,
+    CLOSEUP_DEPTH_OF_FIELD,
+    DEPTH_OF_FIELD,
+    EXPLAIN_STOPPED_DOWN,
+    HYPERFOCAL_DISTANCE,
+    IS_DIFFRACTION_LIMITED,
+)
+
+#: In the order of the lesson.
+EXERCISES = (
+    IMAGE_DISTANCE,
+    OBJECT_DISTANCE,
+    F_NUMBER,
+    PARSE_LENS_NAME,
+    HYPERFOCAL_DISTANCE,
+    DEPTH_OF_FIELD,
+    CLOSEUP_DEPTH_OF_FIELD,
+    APERTURE_FOR_DEPTH,
+    AIRY_DIAMETER,
+    IS_DIFFRACTION_LIMITED,
+    EXPLAIN_STOPPED_DOWN,
+    LENS_SYSTEM,
+)
