@@ -1,0 +1,182 @@
+"""Still figures in the street: projected edges, the columns of P, a panorama, and one ray."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.camera import Camera
+from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
+from course_lib.drawing.homogeneous.site import (
+    HOUSE,
+    HOUSE_EDGES,
+    photograph,
+    show_view,
+)
+from course_lib.drawing.style import BLACK, FULL_WIDTH, ROLES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+PAPER = {"facecolor": "white", "edgecolor": "none", "alpha": 0.9, "pad": 1.5}
+
+
+@figure("The red house in a photograph, and its edges drawn over it from their coordinates.")
+def wire(camera: Camera, yours: ArrayLike | None = None) -> Figure:
+    """Show the walls of the red house over their photograph.
+
+    Parameters
+    ----------
+    camera : Camera
+        Takes the photograph.
+    yours : array_like, shape (8, 2), optional
+        Pixels that a student's function gave for the corners `HOUSE`.
+
+    Returns
+    -------
+    Figure
+        Open circles: the corners by the course's function. Lines: the student's.
+    """
+    expected = camera.project(HOUSE)
+    fig, ax = panels(1, 1, (FULL_WIDTH, 5.6))
+    ax.imshow(photograph(camera))
+    picture_frame(ax, camera.image_size)
+    ax.set_autoscale_on(False)
+    circle = {"mec": BLACK, "ms": 12, "mew": 1.5, "ls": "", "clip_on": True}
+    ax.plot(*expected.T, "o", mfc="none", label="the course's function", **circle)
+    drawn = same_shape(yours, expected)
+    if drawn is not None:
+        for start, end in HOUSE_EDGES:
+            front = start < 4 and end < 4
+            look = {"lw": 2.5} if front else {"lw": 1.2, "ls": (0, (4, 3))}
+            ax.plot(*drawn[[start, end]].T, color=ROLES["second"], **look)
+        ax.plot([], [], color=ROLES["second"], lw=2.5, label="your function")
+    ax.legend(loc="lower right", frameon=True, framealpha=0.9)
+    return fig
+
+
+@figure(
+    "A photograph with the images of the world's axes. The columns of the camera matrix are the "
+    "vanishing points of the axes and the image of the world's origin."
+)
+def columns_of(P: ArrayLike | None, camera: Camera) -> Figure:
+    """Show what the columns of a camera matrix mean, in the photograph of the camera.
+
+    Parameters
+    ----------
+    P : array_like, shape (3, 4), or None
+        A camera matrix, the course's or a student's; nothing is drawn for None.
+    camera : Camera
+        Takes the photograph.
+
+    Returns
+    -------
+    Figure
+        Lines from the image of the origin through that of each axis to its vanishing point.
+    """
+    fig, ax = panels(1, 1, (FULL_WIDTH, 6.2))
+    w, h = camera.image_size
+    ax.imshow(photograph(camera), extent=(-0.5, w - 0.5, h - 0.5, -0.5))
+    picture_frame(ax, camera.image_size)
+    ax.set(xlim=(-300, w + 300), ylim=(h + 640, -70))
+    drawn = same_shape(P, np.zeros((3, 4)))
+    if drawn is None or not np.isfinite(drawn).all():
+        return fig
+    columns = [column[:2] / column[2] for column in drawn.T if abs(column[2]) > 1e-9]
+    if len(columns) == 4:
+        _mark_columns(ax, np.array(columns))
+    return fig
+
+
+def _mark_columns(ax: Axes, columns: Floats) -> None:
+    """Mark the vanishing points of the axes and the origin, where they are on the page."""
+    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+    names = (
+        "$p_1$: X at infinity",
+        "$p_2$: Y at infinity",
+        "$p_3$: Z at infinity",
+        "$p_4$: origin",
+    )
+    roles = ("camera", "image", "object", "second")
+    for place, name, role in zip(columns, names, roles, strict=True):
+        ax.plot(*np.array([columns[3], place]).T, color=ROLES[role], lw=1.5, clip_on=True)
+        inside = left < place[0] < right and top < place[1] < bottom
+        if inside:
+            ax.plot(*place, "o", color=ROLES[role], mec="white", ms=10, zorder=3)
+            write(ax, place + np.array([0, 34]), name, bbox=PAPER, fontsize=10)
+
+
+@figure("Pictures from a camera on a gimbal, one for each pan angle, side by side.")
+def sweep(poses: Sequence[object], pans_deg: Sequence[float]) -> Figure:
+    """Show what a camera on a gimbal sees on its way round.
+
+    Parameters
+    ----------
+    poses : sequence of (R, t) or None
+        World to camera, from a student's function.
+    pans_deg : sequence of float
+        The pan angle of each, degrees.
+
+    Returns
+    -------
+    Figure
+        A photograph for each.
+    """
+    fig, axes = panels(1, len(poses), (FULL_WIDTH, 1.75), squeeze=False)
+    for ax, pose, pan in zip(axes[0], poses, pans_deg, strict=True):
+        show_view(ax, pose)
+        ax.set(xticks=[], yticks=[], xlabel="", ylabel="")
+        ax.set_title(f"pan {pan:g}°", fontsize=10, fontweight="normal")
+    return fig
+
+
+@figure(
+    "Left: one pixel of the first camera's picture. Right: what that pixel sees at several "
+    "distances, in the second camera's picture: points on a line."
+)
+def one_ray(
+    pixel: ArrayLike,
+    first: Camera,
+    second: Camera,
+    yours: ArrayLike | None = None,
+    distances: Sequence[float] = (6.0, 8.0, 11.0, 16.0),
+) -> Figure:
+    """Show a pixel of one camera, and its ray as another camera sees it.
+
+    Parameters
+    ----------
+    pixel : array_like, shape (2,)
+        In the first picture, px.
+    first, second : Camera
+        The cameras.
+    yours : array_like, shape (2, 3), optional
+        Start and direction of the ray that a student's function gave.
+    distances : sequence of float
+        Along the ray, m.
+
+    Returns
+    -------
+    Figure
+        Both photographs; stars at the distances along the student's ray.
+    """
+    fig, axes = panels(1, 2, (FULL_WIDTH, 3.1))
+    for ax, camera, title in zip(axes, (first, second), ("camera 1", "camera 2"), strict=True):
+        ax.imshow(photograph(camera))
+        picture_frame(ax, camera.image_size)
+        ax.set_autoscale_on(False)
+        ax.set_title(title)
+    look = {"mfc": "none", "mec": ROLES["object"], "ms": 12, "mew": 2.5}
+    axes[0].plot(*np.asarray(pixel, dtype=float), "o", **look)
+    steps = np.array(distances)[:, None]
+    truth = second.project(first.centre + steps * first.pixel_ray(pixel))
+    axes[1].plot(*truth.T, "o", mfc="none", mec=BLACK, ms=11)
+    ray = same_shape(yours, np.zeros((2, 3)))
+    if ray is not None and np.isfinite(ray).all():
+        axes[1].plot(*second.project(ray[0] + steps * ray[1]).T, "*-", color=ROLES["second"], ms=10)
+    for (u, v), distance in zip(truth, distances, strict=True):
+        write(axes[1], (u - 16, v + 34), f"{distance:g} m", fontsize=9, bbox=PAPER, ha="right")
+    return fig
