@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 
 import nbformat
@@ -17,6 +18,7 @@ from course_lib.judging import Exercise, ValuesExercise
 
 ROOT = Path(__file__).parents[2]
 LESSONS = find_lessons(ROOT)
+WIDGET = "application/vnd.jupyter.widget-view+json"
 SECONDS = 60  # for a whole notebook on a slow machine: it must not keep a student waiting
 
 pytestmark = pytest.mark.slow
@@ -29,6 +31,13 @@ def executed(notebook: nbformat.NotebookNode, folder: Path) -> nbformat.Notebook
 
 def outputs(notebook: nbformat.NotebookNode) -> list[nbformat.NotebookNode]:
     return [out for cell in notebook.cells if cell.cell_type == "code" for out in cell.outputs]
+
+
+def pictures(notebook: nbformat.NotebookNode) -> list[str]:
+    """Return the pictures of a notebook, but for explorers, as HTML or as PNG without words."""
+    shown = [out["data"] for out in outputs(notebook) if "data" in out]
+    png = [data["image/png"] for data in shown if "image/png" in data and WIDGET not in data]
+    return png + [data["text/html"] for data in shown if "<img" in data.get("text/html", "")]
 
 
 def points(notebook: nbformat.NotebookNode) -> dict[str, float]:
@@ -58,6 +67,10 @@ def test_runs_before_anything_is_answered(path: Path, tmp_path: Path) -> None:
     assert not [out for out in outputs(notebook) if out.output_type == "error"]
     assert not [out.text for out in outputs(notebook) if out.get("name") == "stderr"]
     assert set(points(notebook).values()) == {0.0}
+    for picture in pictures(notebook):
+        alt = re.match(r'<img alt="([^"]+)"', picture)
+        assert alt, "a picture without a text alternative: decorate its function with @figure"
+        assert alt[1].endswith("."), alt[1]
 
 
 def assigned(source: str) -> set[str]:
