@@ -133,6 +133,11 @@ def _shaped(result: Any, expected: Any) -> Any:
     """Return a result as numbers of the expected shape, or raise what is wrong with it."""
     if expected is None:
         return result
+    if isinstance(expected, tuple):
+        several = isinstance(result, tuple | list) or np.ndim(result) > 0
+        if not several or len(result) != len(expected):
+            raise _UnusableError(f"returns {describe(result)} instead of {len(expected)} results.")
+        return tuple(_shaped(*pair) for pair in zip(result, expected, strict=True))
     shape = np.shape(expected)
     kind = f"an array of shape {shape}" if shape else "a number"
     if result is None:
