@@ -58,7 +58,7 @@ def points_on_rays(points: ArrayLike, yours: ArrayLike | None = None) -> Figure:
     ax.axhline(1, color=ROLES["image"], lw=2)
     for (x, w), place in zip(points, expected[:, 0], strict=True):
         end = np.array([x, w]) if np.isnan(place) else max(w, 1.0) * np.array([place, 1])
-        stroke(ax, [(0, 0), 1.08 * end], "ray", lw=1.2)
+        stroke(ax, np.array([0 * end, 1.08 * end]), "ray", lw=1.2)
         ax.plot(x, w, "o", color=ROLES["object"], ms=7, zorder=3)
         write(ax, (x + 0.06, w - 0.1), f"({x:g}, {w:g})", "object", ha="left", fontsize=10)
         ax.plot(place, 1, "o", mfc="none", mec=BLACK, ms=12)

@@ -143,7 +143,7 @@ def _mount(ax: Axes, view: Camera, mount: Floats, axes: dict[str, Floats]) -> No
     show_path(ax, view, np.array([mount - (0, 0, 0.5), mount]), "guide", lw=6)
     for name, axis in axes.items():
         show_arrow(ax, view, mount, mount + axis, "image")
-        write(ax, view.project(mount + 1.13 * axis) + np.array([0, 6.0]), name, "image")
+        write(ax, view.project(mount + 1.13 * axis) + np.array([-18.0, 6]), name, "image")
     ax.plot(*view.project(mount), "o", color=BLACK, ms=8)
     write(ax, view.project(mount) + np.array([-14.0, 8]), "mount", ha="right")
 
