@@ -19,6 +19,18 @@ from course_lib.diffraction import airy_diameter
 from course_lib.focus import circle_of_confusion
 
 
+def check_range(f: ArrayLike, near: ArrayLike, far: ArrayLike) -> tuple[Array, Array]:
+    """Return the two ends of a range, once they are outside the focal length and in order."""
+    near, far = check_positive(near, "near"), check_distance(far, "far")
+    check_outside_focus(near, check_positive(f, "f"), "near")
+    if (near >= far).any():
+        raise ValueError(
+            f"near must be smaller than far, got near = {np.max(near):g} and far = "
+            f"{np.min(far):g}: exchange them, or widen the range"
+        )
+    return near, far
+
+
 def apertures_for_limits(
     f: ArrayLike, near: ArrayLike, far: ArrayLike, focus_distance: ArrayLike, c: ArrayLike
 ) -> tuple[Array, Array]:
@@ -59,7 +71,7 @@ def apertures_for_limits(
     >>> print(f"{N_near:.1f} and {N_far:.1f}")
     14.6 and 12.0
     """
-    near, far = _check_range(f, near, far)
+    near, far = check_range(f, near, far)
     s, c = check_distance(focus_distance, "focus_distance"), check_positive(c, "c")
     if (s < near).any() or (s > far).any():
         raise ValueError("focus_distance must lie between near and far: focus inside the range")
@@ -104,7 +116,7 @@ def aperture_for_depth(
     >>> print(f"f/{N:.1f}, focused on {focus_distance:.0f} mm")
     f/13.3, focused on 990 mm
     """
-    near, far = _check_range(f, near, far)
+    near, far = check_range(f, near, far)
     f, c = check_positive(f, "f"), check_positive(c, "c")
     focus_distance = 2 / (1 / near + 1 / far)  # in 1/Z, halfway between the ends
     return f**2 * (focus_distance / near - 1) / (c * (focus_distance - f)), focus_distance
@@ -158,14 +170,3 @@ def sharpest_f_number(
     # Seen from the sensor the opening is 1 / (1 - f / focus_distance) times as far as f.
     spread = airy_diameter(wavelength, 1 / (1 - np.asarray(f) / np.asarray(focus_distance)))
     return np.sqrt(defocus / spread)  # least of defocus / N + spread N
-
-
-def _check_range(f: ArrayLike, near: ArrayLike, far: ArrayLike) -> tuple[Array, Array]:
-    near, far = check_positive(near, "near"), check_distance(far, "far")
-    check_outside_focus(near, check_positive(f, "f"), "near")
-    if (near >= far).any():
-        raise ValueError(
-            f"near must be smaller than far, got near = {np.max(near):g} and far = "
-            f"{np.min(far):g}: exchange them, or widen the range"
-        )
-    return near, far

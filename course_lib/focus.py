@@ -133,6 +133,7 @@ def depth_of_field(
     f, focus_distance = check_positive(f, "f"), check_distance(focus_distance, "focus_distance")
     check_outside_focus(focus_distance, f, "focus_distance")
     h, ratio = H - f, H / focus_distance
+    # The spots of both limits measure c: h |1/limit - 1/focus_distance| = 1 - f/focus_distance.
     near = h / (1 + ratio - 2 * f / focus_distance)
     far = h / np.where(ratio > 1, ratio - 1, np.nan)
     return near, np.where(ratio > 1, far, np.inf)[()]

@@ -7,15 +7,6 @@ from __future__ import annotations
 
 import re
 
-NUMBER = r"(\d+(?:[.,]\d+)?)"
-TO = r"(?:\s*[-–—]\s*"  # a range; makers write hyphens and dashes
-FOCAL = re.compile(rf"{NUMBER}{TO}{NUMBER})?\s*mm\b", re.IGNORECASE)
-#: "f/1.8", "F1.8", "ƒ/1.8"; and "1:1.8", which a macro lens may also print for its magnification.
-APERTURES = (
-    re.compile(rf"(?:\bf|ƒ)\s*/?\s*{NUMBER}{TO}{NUMBER})?", re.IGNORECASE),
-    re.compile(rf"\b1\s*:\s*{NUMBER}{TO}{NUMBER})?"),
-)
-
 
 def parse_lens_name(name: str) -> dict[str, tuple[float, float]]:
     """Return the focal lengths and the f-numbers that a lens's name tells.
@@ -23,8 +14,8 @@ def parse_lens_name(name: str) -> dict[str, tuple[float, float]]:
     Parameters
     ----------
     name : str
-        What is printed on the lens: focal length in mm, and the smallest f-number after ``f/``,
-        ``F``, ``f`` or ``1:``. A range stands for a zoom. There may be any other words.
+        What is printed on the lens, with any other words: focal length in mm, and the smallest
+        f-number after ``f/``, ``F``, ``f`` or ``1:``. A range such as 18-140 belongs to a zoom.
 
     Returns
     -------
@@ -48,15 +39,20 @@ def parse_lens_name(name: str) -> dict[str, tuple[float, float]]:
     """
     if not isinstance(name, str):
         raise TypeError(f"name must be a text, got {name!r:.60}")
-    focal = FOCAL.search(name)
+    number = r"([0-9]+(?:[.,][0-9]+)?)"
+    one_or_two = rf"{number}(?:\s*[-–—]\s*{number})?"
+    focal = re.search(rf"{one_or_two}\s*mm\b", name, re.IGNORECASE)
     rest = name.replace(focal[0], " ", 1) if focal else name
-    aperture = next((found for way in APERTURES if (found := way.search(rest))), None)
+    # A macro lens may print its magnification as 1:1, so f/ comes first.
+    aperture = re.search(rf"(?:\bf|ƒ)\s*/?\s*{one_or_two}", rest, re.IGNORECASE)
+    aperture = aperture or re.search(rf"\b1\s*:\s*{one_or_two}", rest)
     if not focal or not aperture:
         missing = "f-number" if focal else "focal length"
         raise ValueError(f'no {missing} in {name!r:.60}; a lens name reads like "50mm f/1.8"')
-    pairs = {"focal_length": focal, "f_number": aperture}
-    return {key: (_number(found[1]), _number(found[2] or found[1])) for key, found in pairs.items()}
-
-
-def _number(text: str) -> float:
-    return float(text.replace(",", "."))
+    found = {}
+    for key, match in (("focal_length", focal), ("f_number", aperture)):
+        first, last = (float(text.replace(",", ".")) for text in (match[1], match[2] or match[1]))
+        if not 0 < first <= last:
+            raise ValueError(f"the {key} in {name!r:.60} runs from {first:g} to {last:g}")
+        found[key] = (first, last)
+    return found

@@ -15,6 +15,15 @@ from course_lib.checks import (
 from course_lib.ray_transfer import check_focal_length, free_space, thin_lens
 
 
+def check_focusing(C: float, scale: float) -> None:
+    """Raise if a system's power -C is zero, but for the rounding of numbers of size `scale`."""
+    if abs(C) <= 1e-14 * scale:
+        raise DegenerateConfigurationError(
+            "the system has no focal length: parallel rays leave it parallel, as from a "
+            "telescope (two lenses at the distance f1 + f2). Move a lens"
+        )
+
+
 def cardinal_points(system: ArrayLike) -> tuple[float, float, float]:
     """Return the focal length of a system and where a single lens would have to stand for it.
 
@@ -51,7 +60,7 @@ def cardinal_points(system: ArrayLike) -> tuple[float, float, float]:
         raise ValueError(
             f"system has the determinant {A * D - B * C:.6g}; between air and air it must be 1"
         )
-    _check_focusing(C, 1 / abs(B) if B else 0)
+    check_focusing(C, 1 / abs(B) if B else 0)
     # A ray that comes in parallel to the axis at height y leaves at A y with the angle C y.
     return float(-1 / C), float((D - 1) / C), float((1 - A) / C)
 
@@ -91,8 +100,9 @@ def lens_system(f1: float, f2: float, d: float) -> tuple[float, float, float]:
     (200.0, -300.0, -150.0)
     """
     f1, f2 = check_focal_length(f1, "f1"), check_focal_length(f2, "f2")
-    (A, _), (C, D) = thin_lens(f2) @ free_space(d) @ thin_lens(f1)
-    _check_focusing(C, abs(1 / f1) + abs(1 / f2))
+    (A, _), (C, D) = thin_lens(f2) @ free_space(d) @ thin_lens(f1)  # f1 is met first
+    check_focusing(C, abs(1 / f1) + abs(1 / f2))
+    # In front of the focal point, which a parallel ray crosses A / -C behind the second lens.
     return float(-1 / C), float((D - 1) / C), float((1 - A) / C)
 
 
@@ -139,12 +149,3 @@ def two_lens_zoom(f1: float, f2: float, f: float) -> tuple[float, float]:
             f"have to stand {-d:.3g} mm before the first. Choose another f"
         )
     return d, f * (1 - d / f1)
-
-
-def _check_focusing(C: float, scale: float) -> None:
-    """Raise if the power -C is zero, but for the rounding of numbers as large as `scale`."""
-    if abs(C) <= 1e-14 * scale:
-        raise DegenerateConfigurationError(
-            "the system has no focal length: parallel rays leave it parallel, as from a "
-            "telescope (two lenses at the distance f1 + f2). Move a lens"
-        )
