@@ -3,9 +3,27 @@
 from __future__ import annotations
 
 from course_lib.drawing.explorers.aperture_window import STOPS, aperture_window_frame
+from course_lib.drawing.explorers.depth_of_field import depth_of_field_frame
 from course_lib.drawing.explorers.ray_tracer import ONE, SECOND, ray_tracer_frame
 from course_lib.widgets.controls import Choice, Slider
 from course_lib.widgets.explorer import Explorer
+
+
+def depth_of_field_explorer() -> Explorer:
+    """Return the depth-of-field explorer: a street through a real lens."""
+    lenses, places = (24, 28, 35, 50, 85, 100), (1.2, 7, 14)
+    return Explorer(
+        "Depth of field",
+        [
+            Slider("f", "Focal length", "f", "mm", 20, 100, 50, steps=50, landmarks=lenses),
+            Slider("N", "f-number", "N", "", 1.4, 22, 2.8, steps=50, landmarks=STOPS[:-1]),
+            Slider(
+                "focus", "Focus distance", "", "m", 1, 60, 3.5, steps=80, landmarks=(1.2, 7, 14)
+            ),
+            Slider("pitch", "Pixel pitch", "c", "µm", 20, 75, 50, step=5),
+        ],
+        depth_of_field_frame,
+    )
 
 
 def ray_tracer_explorer() -> Explorer:

@@ -28,6 +28,7 @@ WAVELENGTH = 550e-6  # mm: green
 STOPS = (1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32)
 APERTURES, BLURS = (1.4, 32.0), (0.3, 60.0)  # axes of the curves: f-number, px
 
+AXES = Plot((46, 346, 26, 250), APERTURES, BLURS, log_x=True, log_y=True)
 SIZE = (360, 300)  # px: of the curves
 SIDE = 264  # px: width and height of the two other pictures
 CELL = 22  # px of the drawing for a pixel of the sensor: 12 of them in the picture
@@ -124,57 +125,50 @@ def aperture_window_frame(N: float, f: float, near: float, depth: float, pitch: 
 
 def _curves(N: float, f: float, near: float, depth: float, mm: float) -> Picture:
     """Return both blurs and their sum against the f-number."""
-    axes = Plot((46, 346, 26, 250), APERTURES, BLURS, log_x=True, log_y=True)
     one, best = blur_at_ends(1.0, f, near, depth), best_aperture(f, near, depth)
     numbers = np.geomspace(*APERTURES, 80)
     defocus, airy = one.defocus / numbers / mm, one.airy * numbers / mm
     here = (one.defocus / N + one.airy * N) / mm
-    lines = [
-        axes.frame(),
-        Line(axes.pixels(APERTURES, 1.0), "guide", 1.2, dashed=True),
-        Line(axes.pixels(numbers, defocus), "ray", 2.0),
-        Line(axes.pixels(numbers, airy), "image", 2.0),
-        Line(axes.pixels(numbers, defocus + airy), "ink", 2.5),
-        Line(axes.pixels(N, BLURS), "object", 2.0),
-    ]
-    if BLURS[0] <= here <= BLURS[1]:
-        lines.append(Line(disc(axes.at(N, here), 5), "object", 2.0, closed=True, fill=1.0))
-    labels = [
-        *axes.ticks((1.4, 2.8, 5.6, 11, 22), (1, 10)),
-        *axes.names("f-number N", "blur in px"),
-        Label("1 px", axes.at(APERTURES[0], 1, 4, -9), "guide"),
-        *_named(axes, numbers, defocus, "defocus", "ray", "start"),
-        *_named(axes, numbers[::-1], airy[::-1], "diffraction", "image", "end"),
-    ]
-    if APERTURES[0] <= best <= APERTURES[1]:
-        lines.append(Line(axes.pixels(best, BLURS), "guide", 1.2, dashed=True))
-        labels.append(Label("best", axes.at(best, BLURS[1], 4, 8), "guide"))
+    lines = (
+        AXES.frame(),
+        Line(AXES.pixels(APERTURES, 1.0), "guide", 1.2, dashed=True),
+        Line(AXES.pixels(best, BLURS), "guide", 1.2, dashed=True),
+        Line(AXES.pixels(numbers, defocus), "ray", 2.0),
+        Line(AXES.pixels(numbers, airy), "image", 2.0),
+        Line(AXES.pixels(numbers, defocus + airy), "ink", 2.5),
+        Line(AXES.pixels(N, BLURS), "object", 2.0),
+        Line(disc(AXES.at(N, here), 5), "object", 2.0, closed=True, fill=1.0),
+    )
+    labels = (
+        *AXES.ticks((1.4, 2.8, 5.6, 11, 22), (1, 10)),
+        *AXES.names("f-number N", "blur in px"),
+        Label("1 px", AXES.at(APERTURES[0], 1, 4, -9), "guide"),
+        *_named(numbers, defocus, "defocus", "ray", "start"),
+        *_named(numbers[::-1], airy[::-1], "diffraction", "image", "end"),
+        *([Label("best", AXES.at(best, BLURS[1], 4, 8), "guide")] if _shown(best) else []),
+    )
     words = f"The sum of both blurs is smallest at f/{best:.1f}; at f/{N:g} it is {here:.1f} px."
-    return Picture("Blur against the f-number", words, SIZE, lines=tuple(lines), labels=(*labels,))
+    return Picture("Blur against the f-number", words, SIZE, lines=lines, labels=labels)
 
 
-def _named(
-    axes: Plot, x: Floats, y: Floats, text: str, role: str, anchor: str
-) -> tuple[Label, ...]:
+def _shown(N: float) -> bool:
+    """Return whether an f-number lies on the axis."""
+    return APERTURES[0] <= N <= APERTURES[1]
+
+
+def _named(x: Floats, y: Floats, text: str, role: str, anchor: str) -> tuple[Label, ...]:
     """Return the name of a curve beside the first of its points that lies in the picture."""
     low, high = 1.6 * BLURS[0], BLURS[1] / 1.6
     inside = np.flatnonzero((y > low) & (y < high))
     if not inside.size:
         return ()
-    first = inside[0]
-    return (
-        Label(text, axes.at(x[first], y[first], 8 if anchor == "start" else -8, -10), role, anchor),
-    )
+    at = AXES.at(x[inside[0]], y[inside[0]], *((8, -10) if anchor == "start" else (2, 16)))
+    return (Label(text, at, role, anchor),)
 
 
 def _point(blur: Blur, mm: float) -> Picture:
     """Return the image of one point, as it is before the pixels, with the pixels drawn on it."""
-    r, rho, waves, place = _radial()
-    profile = (waves * _passed(blur, mm, rho)) @ rho  # Hankel transform of the transfer
-    light = np.clip(profile / profile.max(), 0, 1) ** (1 / 2.2)
-    grey = np.interp(place, r, light)
-    grey = np.maximum(grey, _pixel_grid() * (0.25 + 0.75 * grey))
-    image = np.repeat(np.rint(255 * grey).astype(np.uint8)[..., None], 3, axis=2)
+    image = _spot(blur, mm)
     middle = np.array([SIDE / 2 - 0.5] * 2)
     radii = [CELL * size / mm / 2 for size in (blur.defocus, blur.airy)]
     circles = [
@@ -195,6 +189,16 @@ def _point(blur: Blur, mm: float) -> Picture:
             Label("1 square = 1 pixel", (SIDE - 10, SIDE - 12), "ink", "end"),
         ),
     )
+
+
+def _spot(blur: Blur, mm: float) -> NDArray[np.uint8]:
+    """Return the light of one point as a screen shows it, with the pixels drawn on it."""
+    r, rho, waves, place = _radial()
+    profile = (waves * _passed(blur, mm, rho)) @ rho  # Hankel transform of the transfer
+    light = np.clip(profile / profile.max(), 0, 1) ** (1 / 2.2)
+    grey = np.interp(place, r, light)
+    grey = np.maximum(grey, _pixel_grid() * (0.25 + 0.75 * grey))
+    return np.repeat(np.rint(255 * grey).astype(np.uint8)[..., None], 3, axis=2)
 
 
 def _chart(blur: Blur, mm: float) -> Picture:

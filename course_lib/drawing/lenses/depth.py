@@ -61,28 +61,31 @@ def blur_cones(
     )
     for ax, Z, title in zip(axes, (near, far), titles, strict=True):
         sketch(ax, title)
-        meet = float(image_distance(f, Z))
-        spot = d * (sensor - meet) / meet
         stroke(ax, [(-far - 0.4, 0), (3.2, 0)], "guide", lw=1, ls=(0, (8, 4)))
-        end = max(meet, sensor)
-        turned = d / 2 * (1 - end / meet)
-        ax.fill([-Z, 0, end, end, 0], [0, d / 2, turned, -turned, -d / 2], color=ORANGE, alpha=0.2)
-        for side in (-1, 1):
-            stroke(ax, [(-Z, 0), (0, side * d / 2), (end, side * turned)], "ray", lw=1.5)
+        _cone(ax, Z, d, float(image_distance(f, Z)), sensor)
         lens_shape(ax, 0, d)
-        stroke(ax, [(sensor, -1), (sensor, 1)], "guide", lw=2)
-        stroke(ax, [(sensor, -abs(spot) / 2), (sensor, abs(spot) / 2)], "image", lw=6)
         stroke(ax, [(-focus, -0.9), (-focus, 0.9)], "guide", lw=1.2, ls=":")
-        ax.plot(-Z, 0, "o", color=ROLES["object"], ms=9)
-        ax.plot(meet, 0, "o", color=BLACK, ms=6, zorder=5)
         write(ax, (-focus, 1.1), "in focus", "guide")
         write(ax, (sensor, 1.15), "sensor", "guide")
-        write(ax, (-Z, 0.35), "point", "object")
-        write(ax, (sensor + (0.12 if meet > sensor else 0.16), -0.8), "spot", "image", ha="left")
         write(ax, (0.22, -0.72), "$d$", ha="left")
         dimension(ax, (-Z, -1.25), (0, -1.25), "$Z$")
         fit(ax, -far - 0.5, 3.4, -1.5, 1.35)
     return fig
+
+
+def _cone(ax: Axes, Z: float, d: float, meet: float, sensor: float) -> None:
+    """Draw the light of a point that passes a lens and meets at a place, and its spot."""
+    end, spot = max(meet, sensor), abs(d * (sensor - meet) / meet)
+    turned = d / 2 * (1 - end / meet)
+    ax.fill([-Z, 0, end, end, 0], [0, d / 2, turned, -turned, -d / 2], color=ORANGE, alpha=0.2)
+    for side in (-1, 1):
+        stroke(ax, [(-Z, 0), (0, side * d / 2), (end, side * turned)], "ray", lw=1.5)
+    stroke(ax, [(sensor, -1), (sensor, 1)], "guide", lw=2)
+    stroke(ax, [(sensor, -spot / 2), (sensor, spot / 2)], "image", lw=6)
+    ax.plot(-Z, 0, "o", color=ROLES["object"], ms=9)
+    ax.plot(meet, 0, "o", color=BLACK, ms=6, zorder=5)
+    write(ax, (-Z, 0.35), "point", "object")
+    write(ax, (sensor + 0.14, -0.8), "spot", "image", ha="left")
 
 
 @figure("Blur of a point on the sensor against its distance, for f = {f:g} mm at f/{N:g}.")

@@ -118,9 +118,7 @@ def image_construction(f: float = 2.0, Z: float = 5.0, height: float = 1.5) -> F
     for x, name in ((-f, "$F$"), (f, "$F'$")):
         ax.plot(x, 0, "o", color=BLACK, ms=6, zorder=5)
         write(ax, (x + 0.08, 0.22), name, ha="left")
-    for number, x, y in (("1", -Z / 2, height), ("2", -Z / 3, height / 3), ("3", s / 2, low)):
-        paper = {"facecolor": "white", "edgecolor": ROLES["ray"], "boxstyle": "circle,pad=0.25"}
-        write(ax, (x, y), number, fontsize=9, bbox=paper, zorder=6)
+    _number_rays(ax, [(-Z / 2, height), (-Z / 3, height / 3), (s / 2, low)])
     write(ax, (-Z - 0.55, height / 2), "$h$", "object", fontsize=13)
     write(ax, (s + 0.5, low / 2), "$h'$", "image", fontsize=13)
     below = min(low, -1.1 * height) - 0.75
@@ -129,6 +127,13 @@ def image_construction(f: float = 2.0, Z: float = 5.0, height: float = 1.5) -> F
     dimension(ax, (0, height + 0.55), (f, height + 0.55), "$f$")
     fit(ax, -Z - 1.0, s + 1.4, below - 0.3, height + 0.9)
     return fig
+
+
+def _number_rays(ax: Axes, places: list[tuple[float, float]]) -> None:
+    """Write the numbers of the rays, from 1 on, at these places."""
+    paper = {"facecolor": "white", "edgecolor": ROLES["ray"], "boxstyle": "circle,pad=0.25"}
+    for number, place in enumerate(places, start=1):
+        write(ax, place, f"{number}", fontsize=9, bbox=paper, zorder=6)
 
 
 @figure("Image distance behind a lens of {f:g} mm, against the distance of the object.")
