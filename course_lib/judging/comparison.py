@@ -186,11 +186,10 @@ class UpToScale:
         if isinstance(array, Mismatch):
             return array
         axis = -1 if self.rows else None
-        norm = np.linalg.norm(array, axis=axis, keepdims=True)
-        if not np.isfinite(norm).all() or (norm == 0).any():
+        norms = [np.linalg.norm(a, axis=axis, keepdims=True) for a in (array, truth)]
+        if not np.isfinite(norms).all() or not np.all(norms):
             return Mismatch("values", "All values are zero, or some are not finite.")
-        unit = array / norm
-        unit_truth = truth / np.linalg.norm(truth, axis=axis, keepdims=True)
+        unit, unit_truth = array / norms[0], truth / norms[1]
         differences = [np.linalg.norm(unit - s * unit_truth, axis=axis) for s in (1, -1)]
         if (np.minimum(*differences) < self.tolerance).all():
             return None

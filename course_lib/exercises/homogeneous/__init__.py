@@ -1,0 +1,40 @@
+"""Chapter 02: the exercises on homogeneous coordinates and the camera matrix."""
+
+from course_lib.exercises.homogeneous.cameras import (
+    CAMERA_MATRIX,
+    EXPLAIN_TRANSLATION,
+    PIXEL_RAY,
+    PROJECT,
+)
+from course_lib.exercises.homogeneous.plane import (
+    FROM_HOMOGENEOUS,
+    LINE_THROUGH,
+    MEET,
+    TO_HOMOGENEOUS,
+)
+from course_lib.exercises.homogeneous.poses import (
+    CAMERA_CENTRE,
+    CV_FROM_GRAPHICS_CAMERA,
+    GIMBAL_POSE,
+    INVERT_POSE,
+    POSE_FROM_PLACEMENT,
+    ROTATION_ABOUT_AXIS,
+)
+
+#: In the order of the lesson.
+EXERCISES = (
+    TO_HOMOGENEOUS,
+    FROM_HOMOGENEOUS,
+    LINE_THROUGH,
+    MEET,
+    ROTATION_ABOUT_AXIS,
+    INVERT_POSE,
+    POSE_FROM_PLACEMENT,
+    CV_FROM_GRAPHICS_CAMERA,
+    GIMBAL_POSE,
+    CAMERA_MATRIX,
+    CAMERA_CENTRE,
+    PROJECT,
+    PIXEL_RAY,
+    EXPLAIN_TRANSLATION,
+)

@@ -1,0 +1,154 @@
+"""Wrong answers to the exercises of chapter 02 on points, lines and rotations."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+# --- to_homogeneous ---------------------------------------------------------------------------
+
+
+def zero_appended(points):
+    return np.concatenate([points, np.zeros_like(points[..., :1])], axis=-1)
+
+
+def one_in_front(points):
+    return np.concatenate([np.ones_like(points[..., :1]), points], axis=-1)
+
+
+def only_for_the_plane(points):
+    return np.stack([points[..., 0], points[..., 1], np.ones_like(points[..., 0])], axis=-1)
+
+
+def points_as_columns(points):
+    return np.concatenate([points, np.ones_like(points[..., :1])], axis=-1).T
+
+
+def last_number_made_one(points):
+    return points / points[..., -1:]
+
+
+# --- from_homogeneous -------------------------------------------------------------------------
+
+
+def last_number_dropped(points):
+    return np.where(points[..., -1:] == 0, np.nan, points[..., :-1])
+
+
+def infinity_divided(points):
+    return points[..., :-1] / points[..., -1:]
+
+
+def one_kept(points):
+    return points / np.where(points[..., -1:] == 0, np.nan, points[..., -1:])
+
+
+def always_third(points):
+    return points[..., :2] / np.where(points[..., 2:3] == 0, np.nan, points[..., 2:3])
+
+
+def divided_by_first(points):
+    return points[..., 1:] / np.where(points[..., -1:] == 0, np.nan, points[..., :1])
+
+
+def infinity_left_as_it_is(points):
+    w = points[..., -1:]
+    return np.where(w == 0, points[..., :-1], points[..., :-1] / np.where(w == 0, 1, w))
+
+
+# --- line_through -----------------------------------------------------------------------------
+
+
+def w_ignored(p, q):
+    first, second = np.array(p), np.array(q)
+    first[..., 2] = second[..., 2] = 1
+    return np.cross(first, second)
+
+
+def slope_and_intercept(p, q):
+    (x1, y1), (x2, y2) = ((v[..., 0] / v[..., 2], v[..., 1] / v[..., 2]) for v in (p, q))
+    slope = (y2 - y1) / (x2 - x1)
+    return np.stack([slope, -np.ones_like(slope), y1 - slope * x1], axis=-1)
+
+
+def direction_for_normal(p, q):
+    line = np.cross(p, q)
+    dx, dy = line[..., 1], -line[..., 0]
+    x, y, w = p[..., 0], p[..., 1], p[..., 2]
+    return np.stack([dx * w, dy * w, -(dx * x + dy * y)], axis=-1)
+
+
+def sign_of_c(p, q):
+    return np.cross(p, q) * [1, 1, -1]
+
+
+def middle_sign_forgotten(p, q):
+    return np.cross(p, q) * [1, -1, 1]
+
+
+def difference_of_points(p, q):
+    return q - p
+
+
+# --- meet -------------------------------------------------------------------------------------
+
+
+def c_on_the_other_side(l, m):  # noqa: E741
+    return np.cross(l, m) * [-1, -1, 1]
+
+
+def determinant_with_wrong_sign(l, m):  # noqa: E741
+    return np.cross(l, m) * [1, -1, 1]
+
+
+def must_be_finite(l, m):  # noqa: E741
+    x = np.cross(l, m)
+    return x / x[..., 2:]
+
+
+def x_and_y_exchanged(l, m):  # noqa: E741
+    return np.cross(l, m)[..., [1, 0, 2]]
+
+
+def lines_added(l, m):  # noqa: E741
+    return l + m
+
+
+# --- rotation_about_axis ----------------------------------------------------------------------
+
+
+def _cross(v: Any) -> Any:
+    x, y, z = v
+    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def _rodrigues(k: Any, angle: Any) -> Any:
+    return np.eye(3) + np.sin(angle) * _cross(k) + (1 - np.cos(angle)) * _cross(k) @ _cross(k)
+
+
+def axis_not_unit(axis, angle):
+    return _rodrigues(axis, angle)
+
+
+def angle_taken_for_degrees(axis, angle):
+    return _rodrigues(axis / np.linalg.norm(axis), np.radians(angle))
+
+
+def clockwise(axis, angle):
+    return _rodrigues(axis / np.linalg.norm(axis), -angle)
+
+
+def small_turns_only(axis, angle):
+    return np.eye(3) + np.sin(angle) * _cross(axis / np.linalg.norm(axis))
+
+
+def cosine_for_its_complement(axis, angle):
+    k = _cross(axis / np.linalg.norm(axis))
+    return np.eye(3) + np.sin(angle) * k + np.cos(angle) * k @ k
+
+
+def three_turns_in_turn(axis, angle):
+    x, y, z = angle * axis / np.linalg.norm(axis)
+    about_z, about_y = _rodrigues((0, 0, 1), z), _rodrigues((0, 1, 0), y)
+    return about_z @ about_y @ _rodrigues((1, 0, 0), x)

@@ -1,0 +1,224 @@
+"""Exercises of chapter 02 on turning and placing: rotations, poses, cameras in the world."""
+
+from __future__ import annotations
+
+from course_lib import transforms
+from course_lib.exercises.homogeneous import inputs, pose_inputs
+from course_lib.exercises.homogeneous import plane_misconceptions as wrong_turn
+from course_lib.exercises.homogeneous import pose_misconceptions as wrong
+from course_lib.judging import Exercise, Misconception, Part, RotationClose
+
+ROTATION_ABOUT_AXIS = Exercise(
+    "homogeneous",
+    transforms.rotation_about_axis,
+    points=5,
+    parts={
+        "about x, y or z": Part(inputs.about_a_coordinate_axis, weight=1),
+        "about any axis of length 1": Part(inputs.about_a_unit_axis, weight=3),
+        "about an axis of another length": Part(inputs.about_a_long_axis, weight=1),
+    },
+    compare=RotationClose(),
+    misconceptions=[
+        Misconception(
+            wrong_turn.axis_not_unit,
+            "The formula wants an axis of length 1. How long is the one that you get?",
+        ),
+        Misconception(
+            wrong_turn.angle_taken_for_degrees,
+            "You turn by far too little. In which unit does the angle come?",
+        ),
+        Misconception(
+            wrong_turn.clockwise,
+            "Curl the fingers of your right hand with the thumb along the axis. "
+            "Do you turn that way?",
+        ),
+        Misconception(
+            wrong_turn.small_turns_only,
+            "Is your matrix a rotation for a quarter turn? Are its columns still of length 1?",
+        ),
+        Misconception(
+            wrong_turn.cosine_for_its_complement,
+            "With an angle of zero nothing must turn. What does your matrix do then?",
+        ),
+        Misconception(
+            wrong_turn.three_turns_in_turn,
+            "Three turns one after another depend on their order. "
+            "Does the axis stay where it is under your matrix?",
+        ),
+    ],
+    forbidden=("cv2.Rodrigues",),
+)
+
+INVERT_POSE = Exercise(
+    "homogeneous",
+    transforms.invert_pose,
+    points=5,
+    parts={
+        "translations alone": Part(pose_inputs.moved_pose, weight=1),
+        "rotations alone": Part(pose_inputs.turned_pose, weight=1),
+        "rotation and translation": Part(pose_inputs.any_pose, weight=3),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.only_R_transposed,
+            "Send a point there with the pose, and back with yours. What is left over?",
+        ),
+        Misconception(
+            wrong.R_and_t_apart,
+            "The way back begins in the other frame. Do its axes point the same way?",
+        ),
+        Misconception(
+            wrong.R_where_its_inverse_belongs,
+            "Solve for X, step by step: which matrix is in front of t at the end?",
+        ),
+        Misconception(
+            wrong.sign_left_out,
+            "Try it without any rotation: you moved by t. How do you get back?",
+        ),
+        Misconception(
+            wrong.R_kept,
+            "Turn your head to the left. Which turn brings it back: the same one once more?",
+        ),
+    ],
+)
+
+CAMERA_CENTRE = Exercise(
+    "homogeneous",
+    transforms.camera_centre,
+    parts={
+        "cameras that are not turned": Part(pose_inputs.centre_of_moved_camera, weight=1),
+        "cameras turned any way": Part(pose_inputs.centre_of_any_camera, weight=3),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.translation_as_centre,
+            "t is where the world's origin is, seen from the camera. Who is asking for whom here?",
+        ),
+        Misconception(
+            wrong.minus_translation,
+            "Seen from the camera that is right. Along whose axes are your three numbers counted?",
+        ),
+        Misconception(
+            wrong.minus_R_t,
+            "R takes the world's axes to the camera's. Which way do you need to go?",
+        ),
+        Misconception(
+            wrong.in_front_for_behind,
+            "The camera must map its own centre to zero. What does it make of your point?",
+        ),
+    ],
+)
+
+POSE_FROM_PLACEMENT = Exercise(
+    "homogeneous",
+    transforms.pose_from_placement,
+    points=5,
+    parts={
+        "cameras that were only moved": Part(pose_inputs.moved_camera, weight=1),
+        "cameras that were only turned": Part(pose_inputs.turned_camera, weight=1),
+        "cameras anywhere": Part(pose_inputs.any_camera, weight=3),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.placement_as_pose,
+            "You return the placement. Does it lead from the world to the camera, or back?",
+        ),
+        Misconception(
+            wrong.centre_as_translation,
+            "The camera's own centre must become zero. What does your pose make of it?",
+        ),
+        Misconception(
+            wrong.only_the_sign_changed,
+            "t is counted along the camera's axes. Along which axes is the centre given?",
+        ),
+        Misconception(
+            wrong.R_camera_for_R,
+            "The columns of R_camera are the camera's axes in the world. "
+            "Does your R take such an axis to (0, 0, 1)?",
+        ),
+        Misconception(
+            wrong.R_camera_on_the_centre,
+            "Your rotation is right. Is it also the one that you used for t?",
+        ),
+    ],
+)
+
+CV_FROM_GRAPHICS_CAMERA = Exercise(
+    "homogeneous",
+    transforms.cv_from_graphics_camera,
+    points=5,
+    parts={
+        "graphics cameras that were only moved": Part(
+            pose_inputs.graphics_camera_at_rest, weight=2
+        ),
+        "graphics cameras anywhere": Part(pose_inputs.any_graphics_camera, weight=3),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.axes_left_as_they_are,
+            "What the graphics camera looks at has negative z there. Which depth do you give it?",
+        ),
+        Misconception(
+            wrong.only_z_turned_round,
+            "Which sign has the determinant of your R? Can you hold a camera like that?",
+        ),
+        Misconception(
+            wrong.turned_about_y,
+            "Your camera looks the right way, on its head. About which axis must it turn?",
+        ),
+        Misconception(
+            wrong.turned_in_the_world,
+            "It is the camera's axes that get other names. Do you turn the camera, or the world?",
+        ),
+        Misconception(
+            wrong.not_inverted,
+            "Your camera has the right axes. Does your pose lead from the world to the camera?",
+        ),
+        Misconception(
+            wrong.translation_not_turned,
+            "Your R is right. Where does your pose send the camera's own centre?",
+        ),
+    ],
+)
+
+GIMBAL_POSE = Exercise(
+    "homogeneous",
+    transforms.gimbal_pose,
+    points=6,
+    parts={
+        "panned only": Part(pose_inputs.panned, weight=1),
+        "tilted only": Part(pose_inputs.tilted, weight=1),
+        "panned and tilted": Part(pose_inputs.panned_and_tilted, weight=2),
+        "a camera off the axes": Part(pose_inputs.off_the_axes, weight=2),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.tilted_first,
+            "Pan a gimbal: its tilt axis goes along. Which of your two turns moves the other axis?",
+        ),
+        Misconception(
+            wrong.offset_along_the_world,
+            "When the head turns, does the camera's offset turn along?",
+        ),
+        Misconception(
+            wrong.angles_in_degrees,
+            "Your camera hardly moves. In which unit do pan and tilt come?",
+        ),
+        Misconception(
+            wrong.pans_to_the_right,
+            "Seen from above, a positive pan goes which way: with the clock or against it?",
+        ),
+        Misconception(
+            wrong.tilts_down,
+            "With a positive tilt the sky should come into view. What does your camera see?",
+        ),
+        Misconception(
+            wrong.camera_to_world,
+            "You found how to get from the camera to the world. Which way does a pose lead?",
+        ),
+        Misconception(
+            wrong.looks_up_at_rest,
+            "With both angles zero the camera is level. Where does the axis of yours point?",
+        ),
+    ],
+)
