@@ -1,0 +1,162 @@
+"""Still figures: what exposure time, aperture, ISO and light do to a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
+from course_lib.drawing.explorers.exposure import exposure_frame
+from course_lib.drawing.sensor.screen import picture
+from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREY, LIGHT, ORANGE, ROLES
+from course_lib.sensor import exposure_value
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Settings = tuple[float, float, float, float]  # seconds, f-number, ISO, lux
+
+#: Scenes by the exposure value that they ask for at ISO 100.
+SCENES = (
+    (15, "sun"),
+    (12, "overcast sky"),
+    (9, "bright hall"),
+    (6, "living room"),
+    (3, "street at night"),
+)
+#: Full stops of the f-number.
+STOPS = (1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0, 11.0, 16.0, 22.0)
+
+
+@figure
+def belt_photographs(settings: Sequence[Settings], speed: float = 800.0) -> Figure:
+    """Show photographs of parts on a belt, taken with different settings.
+
+    Parameters
+    ----------
+    settings : sequence of (seconds, f-number, ISO, lux)
+        Of each photograph.
+    speed : float
+        Of the belt, mm/s.
+
+    Returns
+    -------
+    Figure
+        The photographs beside each other, with their settings.
+    """
+    fig, axes = panels(1, len(settings), (FULL_WIDTH, 2.6 * 3 / len(settings)), squeeze=False)
+    for ax, (t, N, iso, lux) in zip(axes[0], settings, strict=True):
+        frame = exposure_frame(1000 * t, N, iso, lux, speed, False)
+        title = f"{seconds(t)}, f/{N:g}, ISO {iso:g}\n{lux:g} lx"
+        picture(ax, np.asarray(frame.pictures[0].image), title)
+    return fig
+
+
+def seconds(t: float) -> str:
+    """Return an exposure time as photographers write it: 1/125 s, but 2 s."""
+    return f"{t:g} s" if t >= 0.3 else f"1/{1 / t:.0f} s"
+
+
+@figure
+def apertures_to_scale(numbers: Sequence[float] = STOPS[3:9]) -> Figure:
+    """Show the openings of a lens at full stops: each has half the area of the one before.
+
+    Parameters
+    ----------
+    numbers : sequence of float
+        F-numbers.
+
+    Returns
+    -------
+    Figure
+        The opening of one lens at each f-number, to scale, and its light by that of the first.
+    """
+    fig, axes = panels(1, len(numbers), (FULL_WIDTH, 1.9))
+    turn = np.linspace(0, 2 * np.pi, 7)[:-1] + 0.3
+    for k, (ax, N) in enumerate(zip(axes, numbers, strict=True)):
+        radius = numbers[0] / N
+        circle = np.linspace(0, 2 * np.pi, 90)
+        ax.fill(1.08 * np.cos(circle), 1.08 * np.sin(circle), color=BLACK)
+        ax.fill(radius * np.cos(turn), radius * np.sin(turn), color="#FFF3D6")
+        ax.set(aspect="equal", xticks=[], yticks=[])
+        ax.spines[:].set_visible(False)
+        ax.set_title(f"f/{N:g}", fontsize=11, loc="center")
+        ax.set_xlabel("light 1" if k == 0 else f"1/{2**k}")
+    return fig
+
+
+@figure
+def exposure_chart(yours: ArrayLike | None = None) -> Figure:
+    """Show which pairs of exposure time and f-number suit scenes of different brightness.
+
+    Parameters
+    ----------
+    yours : array_like, shape (10,), optional
+        The exposure values that a student's function gave for 1/125 s and the full stops.
+
+    Returns
+    -------
+    Figure
+        Lines of equal exposure value at ISO 100; the student's values at the full stops.
+    """
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.8))
+    N = np.geomspace(1, 22, 60)
+    for value, name in SCENES:
+        time = N**2 / 2.0**value
+        ax.plot(N, time, color=GREY, lw=1.4)
+        left = 1.05 if value > 12 else 8.5
+        ax.text(left, 1.2 * left**2 / 2.0**value, f"EV {value}: {name}", fontsize=9, rotation=13)
+    stops = np.array(STOPS)
+    ax.plot(stops, np.full(10, 1 / 125), "o", mfc="none", mec=BLUE, ms=11, label="1/125 s")
+    _your_values(ax, stops, same_shape(yours, exposure_value(stops, 1 / 125)))
+    ax.set(xscale="log", yscale="log", xlabel="f-number (no unit)", ylabel="exposure time (s)")
+    ax.set(xlim=(0.97, 24), ylim=(2e-5, 60))
+    ax.set_xticks(stops, [f"{s:g}" for s in stops])
+    ax.set_yticks([1e-4, 1e-2, 1], ["1/10000", "1/100", "1"])
+    ax.minorticks_off()
+    ax.legend(loc="lower right")
+    return fig
+
+
+def _your_values(ax: Axes, stops: Floats, values: Floats | None) -> None:
+    """Write a student's exposure values beside the points that they belong to."""
+    if values is None or not np.isfinite(values).all():
+        return
+    ax.plot(stops, np.full(10, 1 / 125), "o", color=ROLES["second"], ms=6, label="your EV")
+    for N, value in zip(stops, values, strict=True):
+        ax.text(N, 1 / 125 * 0.5, f"{value:.1f}", ha="center", va="top", fontsize=8)
+
+
+@figure
+def lights_compared(names: Sequence[str], photons: ArrayLike, full_well: float = 20_000) -> Figure:
+    """Show how full the wells are for exposures that look alike.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the exposures.
+    photons : array_like, shape (N,)
+        Electrons in a pixel that shows white.
+    full_well : float
+        Electrons that fit in.
+
+    Returns
+    -------
+    Figure
+        A well for each exposure, and the signal-to-noise ratio of its light, √n.
+    """
+    electrons = np.asarray(photons, dtype=float)
+    fig, ax = panels(1, 1, (FULL_WIDTH, 2.4))
+    place = np.arange(len(names))
+    ax.bar(place, full_well, width=0.55, color=LIGHT)
+    ax.bar(place, electrons, width=0.55, color=ORANGE)
+    for x, n in zip(place, electrons, strict=True):
+        text = f"{n:.0f}\nSNR {np.sqrt(n):.0f}"
+        ax.text(x + 0.31, min(n, 0.72 * full_well), text, va="bottom", fontsize=9)
+    ax.set_xticks(place, list(names))
+    ax.set(ylabel="electrons (e⁻)", xlim=(-0.5, len(names) - 0.2))
+    return fig
