@@ -13,6 +13,7 @@ from course_lib.drawing.diagrams import (
     fit,
     hole_in_wall,
     panels,
+    plain_numbers,
     same_shape,
     sketch,
     stroke,
@@ -216,7 +217,7 @@ def blur_against_hole(
         _mark_answer(ax, float(marked), spot)
     ax.set(xlabel="hole diameter d (mm)", ylabel="spot diameter (mm)")
     ax.set(xlim=(0.04, 4), ylim=(0.04, 30))
-    _plain_ticks(ax)
+    plain_numbers(ax)
     ax.legend(loc="upper center", ncols=2)
     return fig
 
@@ -238,12 +239,3 @@ def _mark_answer(ax: Axes, d: float, spot: float) -> None:
     else:
         text = f"your answer, d = {d:.3g} mm, lies outside of this figure"
         write(ax, (0.4, 5.5), text)
-
-
-def _plain_ticks(ax: Axes) -> None:
-    """Label logarithmic axes with plain numbers."""
-    from matplotlib.ticker import NullFormatter
-
-    for axis in (ax.xaxis, ax.yaxis):
-        axis.set_major_formatter(lambda value, _: f"{value:g}")
-        axis.set_minor_formatter(NullFormatter())
