@@ -11,14 +11,15 @@ import numpy as np
 
 from course_lib.camera import Camera
 from course_lib.checks import Array
-from data_generators.disks import GRID, kernel, reduction
+from data_generators.disks import GRID, WIDEST, kernel, reduction
 from data_generators.layers import EDGES, Layer, layers
 from data_generators.lens import Lens
 from data_generators.paint import Box, Picture
 from data_generators.quick import QuickRenderer
-from data_generators.scene import Scene
+from data_generators.scene import Colour, Scene
 
 STEP = 0.35  # of ln(1 + D / 2): how much the diameters D of neighbouring blurs differ
+OPAQUE = 250  # of 255: what counts as opaque after some rounding
 ALIKE = 0.5  # px: diameters that differ less need not be told apart
 
 
@@ -66,6 +67,7 @@ class DefocusedView:
         self.margin, self.edges, self.breathes = margin, edges, breathes
         self._camera: Camera | None = None
         self._layers: list[Layer] = []
+        self._base: Picture = np.empty((0, 0, 4), np.uint8)
 
     def picture(self, camera: Camera, lens: Lens) -> Picture:
         """Return what a camera with a lens sees.
@@ -86,10 +88,9 @@ class DefocusedView:
 
         narrowing = lens.image_distance / lens.f if self.breathes else 1.0
         reference = _widened(camera, narrowing)
-        canvas = self._canvas(camera)
-        canvas[:] = (*self.renderer.scene.background, 255)
-        scene_layers = self._layers_for(reference)
-        for layer in scene_layers:
+        self._prepare(reference)
+        canvas = self._base.copy()
+        for layer in self._layers:
             inverse = np.linspace(layer.far, layer.near, 256)
             with np.errstate(divide="ignore"):
                 disks = lens.disks(1 / inverse, camera) / narrowing
@@ -100,21 +101,16 @@ class DefocusedView:
             picture = cv2.resize(picture, camera.image_size, interpolation=cv2.INTER_CUBIC)
         return np.asarray(picture)
 
-    def _canvas(self, camera: Camera) -> Picture:
-        """Return room for the picture and its margin, in whole multiples of the grid."""
-        width, height = (-(-(side + 2 * self.margin) // GRID) * GRID for side in camera.image_size)
-        return np.empty((height, width, 4), np.uint8)
-
-    def _layers_for(self, camera: Camera) -> list[Layer]:
-        """Return the layers that a camera sees; those of the last one are kept."""
+    def _prepare(self, camera: Camera) -> None:
+        """Draw the layers that a camera sees, unless they are those of the last picture."""
         if self._camera is None or not _same(self._camera, camera):
-            height, width = self._canvas(camera).shape[:2]
+            size = (-(-(side + 2 * self.margin) // GRID) * GRID for side in camera.image_size)
             K = camera.K.copy()
             K[:2, 2] += self.margin
-            wide = Camera(K, camera.R, camera.t, (width, height))
+            wide = Camera(K, camera.R, camera.t, (next(size), next(size)))
             self._layers = layers(self.renderer, wide, self.edges)
+            self._base = backing(self._layers, wide.image_size, self.renderer.scene.background)
             self._camera = camera
-        return self._layers
 
 
 def _widened(camera: Camera, narrowing: float) -> Camera:
@@ -172,6 +168,31 @@ def _compose(canvas: Picture, part: Picture, box: Box) -> None:
     region = canvas[top:bottom, left:right]
     behind = cv2.merge([cv2.bitwise_not(cv2.extractChannel(part, 3))] * 4)
     cv2.add(cv2.multiply(region, behind, scale=1 / 255), part, dst=region)
+
+
+def backing(scene_layers: list[Layer], size: tuple[int, int], background: Colour) -> Picture:
+    """Return what is laid under all layers: the background, or a coarse picture of them.
+
+    Two layers that meet fade into each other, and what lies under both shines through the seam.
+    Where the scene is closed, this must be its own colour. The picture is RGBA, opaque.
+    """
+    import cv2
+
+    times = len(WIDEST)
+    small = np.zeros((size[1] >> times, size[0] >> times, 4), np.uint8)
+    covered = np.zeros(small.shape[:2], np.uint8)
+    for layer in scene_layers:
+        rgba, _ = layer.reduced(times)
+        left, top = layer.left >> times, layer.top >> times
+        right, bottom = left + rgba.shape[1], top + rgba.shape[0]
+        _compose(small, rgba, (left, top, right, bottom))
+        region = covered[top:bottom, left:right]
+        cv2.add(region, cv2.extractChannel(rgba, 3), dst=region)
+    closed = cv2.erode(cv2.compare(covered, OPAQUE, cv2.CMP_GE), np.ones((3, 3), np.uint8)) > 0
+    opacity = np.maximum(small[..., 3:], 1) / 255
+    small = np.where(closed[..., None], small / opacity, (*background, 255))
+    small = np.rint(np.minimum(small, 255)).astype(np.uint8)
+    return np.asarray(cv2.resize(small, size, interpolation=cv2.INTER_LINEAR), np.uint8)
 
 
 def levels(least: float, most: float) -> Array:

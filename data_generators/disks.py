@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from course_lib.checks import Array
 
 SHARP = 0.3  # px: smaller disks change nothing that a pixel shows
-WIDEST = (5.0, 14.0, 28.0, 56.0)  # px: the largest disk drawn at 1/1, 1/2, 1/4, 1/8 of the size
+WIDEST = (5.0, 16.0, 56.0, 120.0)  # px: the largest disk drawn at 1/1, 1/2, 1/4, 1/8 of the size
 SMALL = 1.6  # px: smaller disks are only a little more than a pixel
 GRID = 2 ** len(WIDEST)  # px: pictures must be multiples of this
 

@@ -1,7 +1,8 @@
 """Rays and what they hit: the inverse model of the camera, followed into the scene.
 
-`rays` is the only function here that knows a camera. A camera with distortion, or one whose rows
-are exposed one after the other, is a different bundle of rays and changes nothing else.
+`rays` is the only function here that knows a camera. A camera with a lens, or one whose rows are
+exposed one after the other, is a different bundle of rays (`data_generators.aim`) and changes
+nothing else.
 """
 
 from __future__ import annotations
@@ -72,6 +73,7 @@ class SceneIndex:
         corners = [patch.corners for patch in scene.patches]
         self.centres = np.array([c.mean(axis=0) for c in corners]).reshape(-1, 3)
         self.radii = np.array([np.linalg.norm(c - c.mean(axis=0), axis=1).max() for c in corners])
+        self.moving = np.array([patch.motion is not None for patch in scene.patches], bool)
 
     def candidates(self, origins: Array, directions: Array) -> list[int]:
         """Return the patches whose bounding sphere meets the cone around a bundle of rays."""
@@ -84,15 +86,18 @@ class SceneIndex:
         distance = np.linalg.norm(offset, axis=1)
         away = np.arccos(np.clip(offset @ axis / np.maximum(distance, 1e-12), -1, 1))
         reach = np.arcsin(np.clip(radii / np.maximum(distance, 1e-12), 0, 1))
-        return np.flatnonzero((distance <= radii) | (away <= half_angle + reach)).tolist()
+        near = (distance <= radii) | (away <= half_angle + reach)
+        return np.flatnonzero(near | self.moving).tolist()
 
-    def cast(self, origins: Array, directions: Array) -> Hits:
+    def cast(self, origins: Array, directions: Array, times: Array | None = None) -> Hits:
         """Return the first hit of each ray.
 
         Parameters
         ----------
         origins, directions : ndarray, shape (N, 3)
             Rays in the world; neighbours, as those of a tile of the picture.
+        times : ndarray, shape (N,), optional
+            When each ray is followed, s; at time 0 without them.
 
         Returns
         -------
@@ -103,12 +108,22 @@ class SceneIndex:
         owner = np.full(len(origins), -1)
         for index in self.candidates(origins, directions):
             patch = self.scene.patches[index]
-            a, b, distance = on_plane(patch, origins, directions)
+            start, towards = at_rest(patch, origins, directions, times)
+            a, b, distance = on_plane(patch, start, towards)
             seen = (distance > 0) & (distance < nearest) & _inside(patch.outline, a, b)
             if patch.one_sided:
-                seen &= directions @ patch.normal < 0
+                seen &= towards @ patch.normal < 0
             nearest[seen], owner[seen] = distance[seen], index
         return Hits(owner, nearest)
+
+
+def at_rest(
+    patch: Patch, origins: Array, directions: Array, times: Array | None
+) -> tuple[Array, Array]:
+    """Return rays as a patch sees them that may move; arguments as of `SceneIndex.cast`."""
+    if patch.motion is None or times is None:
+        return origins, directions
+    return patch.motion.bring_back(origins, directions, times)
 
 
 def on_plane(patch: Patch, origins: Array, directions: Array) -> tuple[Array, Array, Array]:

@@ -7,13 +7,14 @@ to the right and v downwards.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib.checks import Array, DegenerateConfigurationError, check_points, check_vector
+from data_generators.motion import Motion
 
 Texture = NDArray[np.uint8]
 Colour = tuple[int, int, int]
@@ -71,6 +72,8 @@ class Patch:
         How many times the texture fits along u and v.
     one_sided : bool
         Whether the patch is invisible from behind, as the face of a closed body.
+    motion : Motion, optional
+        How it moves while the picture is taken. `data_generators.quick` shows time 0.
 
     Raises
     ------
@@ -87,6 +90,7 @@ class Patch:
     outline: Array = field(default_factory=UNIT_SQUARE.copy)
     repeat: tuple[float, float] = (1.0, 1.0)
     one_sided: bool = False
+    motion: Motion | None = None
 
     def __post_init__(self) -> None:
         for name in ("origin", "edge_u", "edge_v"):
@@ -130,6 +134,11 @@ class Scene:
         object.__setattr__(self, "patches", tuple(self.patches))
         if not all(isinstance(patch, Patch) for patch in self.patches):
             raise TypeError("a scene is made of Patch objects; put lists of them together with +")
+
+
+def moving(patches: Iterable[Patch], motion: Motion) -> list[Patch]:
+    """Return the same patches, in motion."""
+    return [replace(patch, motion=motion) for patch in patches]
 
 
 def polygon(corners: ArrayLike, colour: ArrayLike, one_sided: bool = False) -> Patch:
