@@ -93,6 +93,7 @@ def project(points: ArrayLike, P: ArrayLike) -> Array:
            [nan, nan]])
     """
     points, P = check_points(points, 3, "points"), check_finite_camera(P)
+    P = np.sign(np.linalg.det(P[:, :3])) * P  # of P and -P, the one with positive depths in front
     # One row for each coordinate of all points: whole rows are quick to divide.
     x = P[:, :3] @ points.reshape(-1, 3).T
     x += P[:, 3:]
@@ -176,22 +177,23 @@ def decompose_projection(P: ArrayLike) -> tuple[Array, Array, Array]:
 
     Examples
     --------
-    >>> K, R, centre = decompose_projection([[-800, 0, 0, 0], [0, -800, 0, 0], [0, 0, -1, -5]])
+    >>> P = camera_matrix(np.diag([800, 800, 1]), np.eye(3), [1, 2, 5])
+    >>> K, R, centre = decompose_projection(-3 * P)
     >>> centre
-    array([ 0.,  0., -5.])
+    array([-1., -2., -5.])
     """
     P = check_finite_camera(P)
-    M = P[:, :3]
+    M = P[:, :3] * np.sign(np.linalg.det(P[:, :3]))  # so that R does not mirror
     # RQ by QR: turn the rows and columns of M upside down, so that "lower" becomes "upper".
     Q, U = np.linalg.qr(M[::-1].T)
     K, R = U.T[::-1, ::-1], Q.T[::-1]
     signs = np.sign(np.diag(K))
     K, R = K * signs, signs[:, None] * R
-    return np.asarray(K / K[2, 2]), R, np.asarray(np.linalg.solve(M, -P[:, 3]))
+    return np.asarray(K / K[2, 2]), R, np.asarray(np.linalg.solve(P[:, :3], -P[:, 3]))
 
 
 def check_finite_camera(P: ArrayLike) -> Array:
-    """Return `P`, with the sign that makes depths positive, once its centre is sure to be finite.
+    """Return `P`, once the centre of its camera is sure to be finite.
 
     Parameters
     ----------
@@ -201,7 +203,7 @@ def check_finite_camera(P: ArrayLike) -> Array:
     Returns
     -------
     ndarray, shape (3, 4)
-        ``P`` or ``-P``: the one whose left 3 × 3 block has a positive determinant.
+        The same numbers in `float64`.
 
     Raises
     ------
@@ -223,4 +225,4 @@ def check_finite_camera(P: ArrayLike) -> Array:
             "the left 3 × 3 block of P is singular, so the camera's centre is at infinity: "
             "check the rows of P, or use a parallel projection"
         )
-    return P if spread > 0 else -P
+    return P
