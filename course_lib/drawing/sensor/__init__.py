@@ -35,6 +35,7 @@ from course_lib.drawing.sensor.lighting import (
     stripe_geometry,
     three_lights,
 )
+from course_lib.drawing.sensor.mosaics import label_and_nut, mosaic_and_back
 from course_lib.drawing.sensor.noise import (
     photon_patches,
     photon_transfer,
@@ -53,6 +54,7 @@ from course_lib.drawing.sensor.sampling import (
     quantisation,
     sampled_wave,
 )
+from course_lib.drawing.sensor.scan import scanned_profile, stripe_scan
 from course_lib.drawing.sensor.shading import (
     colour_fringes,
     flat_field_series,
@@ -80,14 +82,17 @@ __all__ = [
     "gamma_curve",
     "height_field",
     "histogram_series",
+    "label_and_nut",
     "lamp_drift",
     "light_to_number",
     "lights_compared",
+    "mosaic_and_back",
     "photon_patches",
     "photon_transfer",
     "quantisation",
     "response_curve",
     "sampled_wave",
+    "scanned_profile",
     "shutters",
     "skewed_pole",
     "snr_curve",
@@ -95,6 +100,7 @@ __all__ = [
     "street_exposed",
     "street_light",
     "stripe_geometry",
+    "stripe_scan",
     "three_lights",
     "vignetting_profile",
     "ways_of_reading",

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
 from course_lib.drawing.explorers.exposure import exposure_frame
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Settings = tuple[float, float, float, float]  # seconds, f-number, ISO, lux
+Settings = tuple[float | None, float, float, float]  # seconds, f-number, ISO, lux
 
 #: Scenes by the exposure value that they ask for at ISO 100.
 SCENES = (
@@ -39,7 +39,7 @@ def belt_photographs(settings: Sequence[Settings], speed: float = 800.0) -> Figu
     Parameters
     ----------
     settings : sequence of (seconds, f-number, ISO, lux)
-        Of each photograph.
+        Of each photograph; without a time (None) there is none.
     speed : float
         Of the belt, mm/s.
 
@@ -50,15 +50,21 @@ def belt_photographs(settings: Sequence[Settings], speed: float = 800.0) -> Figu
     """
     fig, axes = panels(1, len(settings), (FULL_WIDTH, 2.6 * 3 / len(settings)), squeeze=False)
     for ax, (t, N, iso, lux) in zip(axes[0], settings, strict=True):
-        frame = exposure_frame(1000 * t, N, iso, lux, speed, False)
-        title = f"{seconds(t)}, f/{N:g}, ISO {iso:g}\n{lux:g} lx"
-        picture(ax, np.asarray(frame.pictures[0].image), title)
+        usable = t is not None and 1e-6 <= t <= 30
+        image = _photograph(t, N, iso, lux, speed) if usable and t else np.ones((320, 480))
+        time = seconds(t) if t is not None else "your time"
+        picture(ax, image, f"{time}, f/{N:g}, ISO {iso:g}\n{lux:g} lx")
     return fig
+
+
+def _photograph(t: float, N: float, iso: float, lux: float, speed: float) -> NDArray[np.generic]:
+    frame = exposure_frame(1000 * t, N, iso, lux, speed, False)
+    return np.asarray(frame.pictures[0].image)
 
 
 def seconds(t: float) -> str:
     """Return an exposure time as photographers write it: 1/125 s, but 2 s."""
-    return f"{t:g} s" if t >= 0.3 else f"1/{1 / t:.0f} s"
+    return f"{t:.3g} s" if not 0 < t < 0.3 else f"1/{1 / t:.0f} s"
 
 
 @figure

@@ -1,0 +1,64 @@
+"""Still figures: a small part of a picture behind the mosaic, and its colours guessed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
+from course_lib.drawing.sensor.screen import picture, shown
+from course_lib.drawing.style import FULL_WIDTH, GREY
+from course_lib.sensor import bayer_masks
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+
+def label_and_nut() -> Floats:
+    """Return a small part of the belt with a nut in colour, linear in light, shape (48, 64, 3)."""
+    from data_generators.belt import belt
+
+    return np.asarray(np.clip(belt()[12:108:2, 184:312:2].astype(float), 0, 1))
+
+
+@figure
+def mosaic_and_back(
+    light: ArrayLike, mosaic: ArrayLike | None = None, colours: ArrayLike | None = None
+) -> Figure:
+    """Show a colour picture, what a mosaic leaves of it, and the colours guessed from that.
+
+    Parameters
+    ----------
+    light : array_like, shape (rows, columns, 3)
+        The picture, linear in light, 0 to 1.
+    mosaic : array_like, shape (rows, columns), optional
+        What a student's function made of it; shown in the colours of the filters.
+    colours : array_like, shape (rows, columns, 3), optional
+        What a student's function guessed from the mosaic.
+
+    Returns
+    -------
+    Figure
+        Three pictures; empty where there is no answer yet.
+    """
+    truth = np.asarray(light, dtype=float)
+    seen = same_shape(mosaic, truth[..., 0])
+    guessed = same_shape(colours, truth)
+    filtered = None if seen is None else seen[..., None] * bayer_masks(seen.shape)
+    fig, axes = panels(1, 3, (FULL_WIDTH, 2.3))
+    picture(axes[0], shown(truth), "from the lens")
+    _or_empty(axes[1], filtered, truth, "your mosaic")
+    _or_empty(axes[2], guessed, truth, "your colours")
+    return fig
+
+
+def _or_empty(ax: Axes, light: Floats | None, truth: Floats, title: str) -> None:
+    """Show a picture, or a white sheet of its size where there is none."""
+    if light is None:
+        picture(ax, np.ones_like(truth), title)
+        ax.text(truth.shape[1] / 2, truth.shape[0] / 2, "not yet", color=GREY, ha="center")
+    else:
+        picture(ax, shown(np.nan_to_num(light)), title)
