@@ -1,0 +1,287 @@
+"""Exercises of chapter 04 on light: exposure, electrons and their noise, motion, stripes."""
+
+from __future__ import annotations
+
+from course_lib import illumination, sensor
+from course_lib.exercises.sensor import light_inputs as inputs
+from course_lib.exercises.sensor import light_misconceptions as wrong
+from course_lib.judging import Exercise, Misconception, Part
+
+EXPOSURE_VALUE = Exercise(
+    "sensor",
+    sensor.exposure_value,
+    parts={
+        "ISO 100": Part(inputs.settings, weight=2),
+        "other ISO speeds": Part(inputs.sensitive_settings, weight=1),
+        "several settings at once": Part(inputs.many_settings, weight=1),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.f_number_not_squared,
+            "Half the diameter of a round opening: which share of the light gets through?",
+        ),
+        Misconception(
+            wrong.time_multiplied,
+            "A higher value is for a brighter scene. Does that ask for more time, or for less?",
+        ),
+        Misconception(
+            wrong.natural_logarithm,
+            "One more should be a factor of two. Which logarithm counts doublings?",
+        ),
+        Misconception(
+            wrong.decimal_logarithm,
+            "Your value grows by one when the light grows tenfold. How large is a stop?",
+        ),
+        Misconception(
+            wrong.iso_the_other_way,
+            "With more ISO the same settings suit a darker scene. Does your value rise or fall?",
+        ),
+        Misconception(
+            wrong.iso_left_out,
+            "Turn up the ISO only: the picture gets brighter. Where does your function see that?",
+        ),
+        Misconception(
+            wrong.not_referred_to_100,
+            "One second at f/1 and ISO 100 should give 0. What does your function say?",
+        ),
+    ],
+)
+
+EQUIVALENT_EXPOSURE = Exercise(
+    "sensor",
+    sensor.equivalent_exposure,
+    parts={
+        "another aperture": Part(inputs.other_aperture, weight=1.5),
+        "another ISO speed": Part(inputs.other_speed, weight=1.5),
+        "several apertures at once": Part(inputs.several_apertures, weight=1),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.aperture_not_squared,
+            "From f/4 to f/8 the opening is half as wide. What happens to its area?",
+        ),
+        Misconception(
+            wrong.aperture_upside_down,
+            "A larger f-number is a smaller opening. Must the shutter then stay open for longer?",
+        ),
+        Misconception(
+            wrong.speed_upside_down,
+            "With more ISO, is more light needed for the same number, or less?",
+        ),
+        Misconception(
+            wrong.speed_squared,
+            "Twice the ISO speed is one stop. How many stops are twice the f-number?",
+        ),
+        Misconception(
+            wrong.speed_left_out,
+            "Change the ISO only. Should the time not answer to that?",
+        ),
+        Misconception(
+            wrong.stops_added,
+            "Each stop doubles or halves the light. Do you add something to the seconds, or scale?",
+        ),
+    ],
+)
+
+SENSOR_RESPONSE = Exercise(
+    "sensor",
+    sensor.sensor_response,
+    points=6,
+    parts={
+        "ordinary light": Part(inputs.ordinary_light, weight=2),
+        "a long exposure in little light": Part(inputs.long_exposure, weight=1.5),
+        "pixels that are full": Part(inputs.full_pixels, weight=1.25),
+        "numbers that come to their end": Part(inputs.last_number, weight=1.25),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.every_photon_counts,
+            "Does each photon set an electron free? Which number of the data sheet says so?",
+        ),
+        Misconception(
+            wrong.offset_left_out,
+            "Which number should a pixel hold in the dark?",
+        ),
+        Misconception(
+            wrong.offset_amplified,
+            "The offset is given in DN. Does the amplifier still come after it?",
+        ),
+        Misconception(
+            wrong.divided_by_gain,
+            "The gain says how many DN one electron makes. Do more of them make a larger number?",
+        ),
+        Misconception(
+            wrong.numbers_without_end,
+            "With 12 bits, which is the largest number that can be written?",
+        ),
+        Misconception(
+            wrong.well_without_brim,
+            "Before anything is amplified: can a pixel hold any number of electrons?",
+        ),
+        Misconception(
+            wrong.dark_left_out,
+            "What collects in a warm pixel during a long exposure, even with the cap on?",
+        ),
+        Misconception(
+            wrong.dark_without_time,
+            "The dark current is given per second. How long does it flow?",
+        ),
+    ],
+)
+
+SIGNAL_TO_NOISE = Exercise(
+    "sensor",
+    sensor.signal_to_noise,
+    points=6,
+    parts={
+        "much light": Part(inputs.light_rules, weight=2),
+        "little light and coarse numbers": Part(inputs.readout_rules, weight=2),
+        "a long exposure": Part(inputs.long_exposure, weight=2),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.deviations_added,
+            "The sources do not know of each other. Which of their quantities may be added up?",
+        ),
+        Misconception(
+            wrong.variance_for_deviation,
+            "Signal and noise should have the same unit. Which unit does your noise have?",
+        ),
+        Misconception(
+            wrong.noise_like_signal,
+            "Electrons come one by one, by chance. Does four times the light make four times "
+            "the noise?",
+        ),
+        Misconception(
+            wrong.readout_not_squared,
+            "The data sheet gives the readout as a standard deviation. What do you add up: "
+            "those, or variances?",
+        ),
+        Misconception(
+            wrong.photons_for_electrons,
+            "A photon that sets no electron free: does the sensor know of it?",
+        ),
+        Misconception(
+            wrong.dark_as_signal,
+            "With the cap on there should be no signal. What does your function say there?",
+        ),
+        Misconception(
+            wrong.shot_noise_only,
+            "In very dim light your ratio is too good. Which noise is there without any light?",
+        ),
+        Misconception(
+            wrong.rounding_left_out,
+            "One step of these numbers is many electrons. Is rounding to whole steps exact?",
+        ),
+        Misconception(
+            wrong.in_decibels,
+            "Is a plain ratio asked for, or its logarithm?",
+        ),
+    ],
+)
+
+MOTION_BLUR_PIXELS = Exercise(
+    "sensor",
+    sensor.motion_blur_pixels,
+    points=3,
+    parts={
+        "a part on a belt (mm)": inputs.part_on_a_belt,
+        "a drone above the ground (m)": inputs.drone,
+        "several speeds at once": inputs.several_speeds,
+    },
+    misconceptions=[
+        Misconception(
+            wrong.length_on_the_object,
+            "That is how far the object moves, as a length. How many pixels does it cover?",
+        ),
+        Misconception(
+            wrong.pixel_size_multiplied,
+            "With finer pixels the same way covers more of them. Does your result grow then?",
+        ),
+        Misconception(
+            wrong.divided_by_time,
+            "Does a shorter exposure smear more, or less?",
+        ),
+        Misconception(
+            wrong.pixels_upside_down,
+            "Let the object stand still. How long is the smear, and what do you get?",
+        ),
+        Misconception(
+            wrong.only_half_of_it,
+            "From where does the smear start, and where does it end? Measure its whole length.",
+        ),
+    ],
+)
+
+ROLLING_SHUTTER_SKEW = Exercise(
+    "sensor",
+    sensor.rolling_shutter_skew,
+    points=3,
+    parts={
+        "an edge that moves to the right": inputs.to_the_right,
+        "an edge that moves to the left": inputs.to_the_left,
+        "several edges at once": inputs.several_edges,
+    },
+    misconceptions=[
+        Misconception(
+            wrong.one_row_only,
+            "That is the step from one row to the next. How many such steps lead to the bottom?",
+        ),
+        Misconception(
+            wrong.divided_by_row_time,
+            "Suppose the sensor reads faster. Should the picture lean more, or less?",
+        ),
+        Misconception(
+            wrong.direction_lost,
+            "An edge that moves to the left: to which side does it lean?",
+        ),
+        Misconception(
+            wrong.leans_backwards,
+            "The bottom is read last. Has the edge moved on by then, or back?",
+        ),
+        Misconception(
+            wrong.time_per_picture,
+            "The time is given for one row. Do you need the time of the whole edge, or a part?",
+        ),
+    ],
+)
+
+STRIPE_HEIGHT = Exercise(
+    "sensor",
+    illumination.stripe_height,
+    parts={
+        "the camera looks straight down": Part(inputs.straight_down, weight=2),
+        "the camera looks from the side": Part(inputs.from_the_side, weight=1),
+        "a profile with hollows": Part(inputs.profile, weight=1),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.angle_from_the_table,
+            "Light from straight above moves no stripe at all. Which angle is zero then?",
+        ),
+        Misconception(
+            wrong.sine_for_tangent,
+            "Draw the triangle of height, shift and light. Which two of its sides do you know of?",
+        ),
+        Misconception(
+            wrong.camera_left_out,
+            "Look at a tower from the side: where on the ground does its top seem to be?",
+        ),
+        Misconception(
+            wrong.camera_on_the_light_side,
+            "Light and camera stand on opposite sides. Do their two shifts add up, or cancel?",
+        ),
+        Misconception(
+            wrong.tangent_of_the_sum,
+            "There are two triangles, one for the light, one for the camera. What is in each?",
+        ),
+        Misconception(
+            wrong.tangent_multiplied,
+            "The flatter the light, the farther it moves for the same height. Does yours?",
+        ),
+        Misconception(
+            wrong.angle_in_degrees,
+            "Which unit does `np.tan` want, and which one do you give it?",
+        ),
+    ],
+)

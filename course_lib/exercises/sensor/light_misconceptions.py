@@ -1,0 +1,240 @@
+"""Wrong answers to the exercises of chapter 04 on exposure, electrons, motion and stripes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+# --- exposure_value ---------------------------------------------------------------------------
+
+
+def f_number_not_squared(N, t, iso=100):
+    return np.log2(N / t) - np.log2(iso / 100)
+
+
+def time_multiplied(N, t, iso=100):
+    return np.log2(N**2 * t) - np.log2(iso / 100)
+
+
+def natural_logarithm(N, t, iso=100):
+    return np.log(N**2 / t) - np.log(iso / 100)
+
+
+def decimal_logarithm(N, t, iso=100):
+    return np.log10(N**2 / t) - np.log10(iso / 100)
+
+
+def iso_the_other_way(N, t, iso=100):
+    return np.log2(N**2 / t) + np.log2(iso / 100)
+
+
+def iso_left_out(N, t, iso=100):
+    return np.log2(N**2 / t)
+
+
+def not_referred_to_100(N, t, iso=100):
+    return np.log2(N**2 / t) - np.log2(iso)
+
+
+# --- equivalent_exposure ----------------------------------------------------------------------
+
+
+def aperture_not_squared(t, N, N_new, iso=100, iso_new=100):
+    return t * (N_new / N) * (iso / iso_new)
+
+
+def aperture_upside_down(t, N, N_new, iso=100, iso_new=100):
+    return t * (N / N_new) ** 2 * (iso / iso_new)
+
+
+def speed_upside_down(t, N, N_new, iso=100, iso_new=100):
+    return t * (N_new / N) ** 2 * (iso_new / iso)
+
+
+def speed_squared(t, N, N_new, iso=100, iso_new=100):
+    return t * (N_new / N * iso / iso_new) ** 2
+
+
+def speed_left_out(t, N, N_new, iso=100, iso_new=100):
+    return t * (N_new / N) ** 2
+
+
+def stops_added(t, N, N_new, iso=100, iso_new=100):
+    return t + 2 * np.log2(N_new / N) - np.log2(iso_new / iso)
+
+
+# --- sensor_response --------------------------------------------------------------------------
+
+
+def every_photon_counts(photons, sensor, exposure_time=0.0):
+    electrons = np.minimum(photons + sensor.dark_current * exposure_time, sensor.full_well)
+    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+
+
+def offset_left_out(photons, sensor, exposure_time=0.0):
+    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
+    return np.minimum(sensor.gain * np.minimum(electrons, sensor.full_well), sensor.white)
+
+
+def offset_amplified(photons, sensor, exposure_time=0.0):
+    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
+    electrons = np.minimum(electrons, sensor.full_well)
+    return np.minimum(sensor.gain * (electrons + sensor.offset), sensor.white)
+
+
+def divided_by_gain(photons, sensor, exposure_time=0.0):
+    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
+    electrons = np.minimum(electrons, sensor.full_well)
+    return np.minimum(electrons / sensor.gain + sensor.offset, sensor.white)
+
+
+def numbers_without_end(photons, sensor, exposure_time=0.0):
+    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
+    return sensor.gain * np.minimum(electrons, sensor.full_well) + sensor.offset
+
+
+def well_without_brim(photons, sensor, exposure_time=0.0):
+    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
+    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+
+
+def dark_left_out(photons, sensor, exposure_time=0.0):
+    electrons = np.minimum(sensor.quantum_efficiency * photons, sensor.full_well)
+    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+
+
+def dark_without_time(photons, sensor, exposure_time=0.0):
+    electrons = sensor.quantum_efficiency * photons + sensor.dark_current
+    electrons = np.minimum(electrons, sensor.full_well)
+    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+
+
+# --- signal_to_noise --------------------------------------------------------------------------
+
+
+def deviations_added(photons, sensor, exposure_time=0.0):
+    signal = sensor.quantum_efficiency * photons
+    shot = np.sqrt(signal + sensor.dark_current * exposure_time)
+    return signal / (shot + sensor.read_noise + sensor.quantisation_noise)
+
+
+def variance_for_deviation(photons, sensor, exposure_time=0.0):
+    signal = sensor.quantum_efficiency * photons
+    dark = sensor.dark_current * exposure_time
+    return signal / (signal + dark + sensor.read_noise**2 + sensor.quantisation_noise**2)
+
+
+def noise_like_signal(photons, sensor, exposure_time=0.0):
+    signal = sensor.quantum_efficiency * photons
+    dark = sensor.dark_current * exposure_time
+    added = signal**2 + dark**2 + sensor.read_noise**2 + sensor.quantisation_noise**2
+    return signal / np.sqrt(added)
+
+
+def readout_not_squared(photons, sensor, exposure_time=0.0):
+    signal = sensor.quantum_efficiency * photons
+    dark = sensor.dark_current * exposure_time
+    return signal / np.sqrt(signal + dark + sensor.read_noise + sensor.quantisation_noise)
+
+
+def photons_for_electrons(photons, sensor, exposure_time=0.0):
+    dark = sensor.dark_current * exposure_time
+    noise = photons + dark + sensor.read_noise**2 + sensor.quantisation_noise**2
+    return photons / np.sqrt(noise)
+
+
+def dark_as_signal(photons, sensor, exposure_time=0.0):
+    signal = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
+    return signal / np.sqrt(signal + sensor.read_noise**2 + sensor.quantisation_noise**2)
+
+
+def shot_noise_only(photons, sensor, exposure_time=0.0):
+    return np.sqrt(sensor.quantum_efficiency * photons)
+
+
+def rounding_left_out(photons, sensor, exposure_time=0.0):
+    signal = sensor.quantum_efficiency * photons
+    return signal / np.sqrt(signal + sensor.dark_current * exposure_time + sensor.read_noise**2)
+
+
+def in_decibels(photons, sensor, exposure_time=0.0):
+    signal = sensor.quantum_efficiency * photons
+    dark = sensor.dark_current * exposure_time
+    noise = signal + dark + sensor.read_noise**2 + sensor.quantisation_noise**2
+    return 20 * np.log10(signal / np.sqrt(noise))
+
+
+# --- motion_blur_pixels -----------------------------------------------------------------------
+
+
+def length_on_the_object(speed, exposure_time, pixel_size):
+    return speed * exposure_time
+
+
+def pixel_size_multiplied(speed, exposure_time, pixel_size):
+    return speed * exposure_time * pixel_size
+
+
+def divided_by_time(speed, exposure_time, pixel_size):
+    return speed / exposure_time / pixel_size
+
+
+def pixels_upside_down(speed, exposure_time, pixel_size):
+    return pixel_size / (speed * exposure_time)
+
+
+def only_half_of_it(speed, exposure_time, pixel_size):
+    return speed * exposure_time / pixel_size / 2
+
+
+# --- rolling_shutter_skew ---------------------------------------------------------------------
+
+
+def one_row_only(speed, row_time, rows):
+    return speed * row_time
+
+
+def divided_by_row_time(speed, row_time, rows):
+    return speed / row_time * rows
+
+
+def direction_lost(speed, row_time, rows):
+    return np.abs(speed) * row_time * rows
+
+
+def leans_backwards(speed, row_time, rows):
+    return -speed * row_time * rows
+
+
+def time_per_picture(speed, row_time, rows):
+    return speed * row_time / rows
+
+
+# --- stripe_height ----------------------------------------------------------------------------
+
+
+def angle_from_the_table(shift, light_angle, camera_angle=0.0):
+    return shift / (np.tan(np.pi / 2 - light_angle) + np.tan(camera_angle))
+
+
+def sine_for_tangent(shift, light_angle, camera_angle=0.0):
+    return shift / (np.sin(light_angle) + np.sin(camera_angle))
+
+
+def camera_left_out(shift, light_angle, camera_angle=0.0):
+    return shift / np.tan(light_angle)
+
+
+def camera_on_the_light_side(shift, light_angle, camera_angle=0.0):
+    return shift / (np.tan(light_angle) - np.tan(camera_angle))
+
+
+def tangent_of_the_sum(shift, light_angle, camera_angle=0.0):
+    return shift / np.tan(light_angle + camera_angle)
+
+
+def tangent_multiplied(shift, light_angle, camera_angle=0.0):
+    return shift * (np.tan(light_angle) + np.tan(camera_angle))
+
+
+def angle_in_degrees(shift, light_angle, camera_angle=0.0):
+    return shift / (np.tan(np.degrees(light_angle)) + np.tan(np.degrees(camera_angle)))
