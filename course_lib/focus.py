@@ -129,12 +129,13 @@ def depth_of_field(
     >>> print(f"from {near:.1f} mm to {far:.1f} mm")
     from 1882.5 mm to 2133.1 mm
     """
-    H = hyperfocal_distance(f, N, c)
-    f, focus_distance = check_positive(f, "f"), check_distance(focus_distance, "focus_distance")
-    check_outside_focus(focus_distance, f, "focus_distance")
-    h, ratio = H - f, H / focus_distance
-    # The spots of both limits measure c: h |1/limit - 1/focus_distance| = 1 - f/focus_distance.
-    near = h / (1 + ratio - 2 * f / focus_distance)
+    f, N, c = check_positive(f, "f"), check_positive(N, "N"), check_positive(c, "c")
+    s = check_distance(focus_distance, "focus_distance")
+    check_outside_focus(s, f, "focus_distance")
+    h = f * f / (N * c)
+    # The spots of both limits measure c: h |1/limit - 1/s| = 1 - f/s.
+    near = h / (1 - f / s + h / s)
+    ratio = (h + f) / s  # hyperfocal distance / focus distance; up to 1, even a star is sharp
     far = h / np.where(ratio > 1, ratio - 1, np.nan)
     return near, np.where(ratio > 1, far, np.inf)[()]
 

@@ -52,7 +52,7 @@ def parse_lens_name(name: str) -> dict[str, tuple[float, float]]:
     found = {}
     for key, match in (("focal_length", focal), ("f_number", aperture)):
         first, last = (float(text.replace(",", ".")) for text in (match[1], match[2] or match[1]))
-        if not 0 < first <= last:
+        if not 0 < first <= last < float("inf"):
             raise ValueError(f"the {key} in {name!r:.60} runs from {first:g} to {last:g}")
         found[key] = (first, last)
     return found
