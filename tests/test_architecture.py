@@ -53,6 +53,7 @@ MAY_IMPORT = {
         "course_lib.authoring",
         "course_lib.notebook",
     },
+    "course_lib.data": set(),
     "course_lib.judging": set(),
     "course_lib.drawing": {"data_generators", "course_lib.display"},
     "course_lib.exercises": {"course_lib.judging", "course_lib.drawing"},
