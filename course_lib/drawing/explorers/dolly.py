@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 from course_lib.camera import Camera, dolly_zoom
@@ -113,16 +115,19 @@ def _fan(camera: Camera) -> np.ndarray:
     return np.array([centre + reach[0], centre, centre + reach[1]])
 
 
-def _surroundings() -> tuple[Line, ...]:
-    """Return the road and the houses beside it, as on a map."""
-    kerbs = [[-KERB, -22], [-KERB, NORTH_END], [np.nan, np.nan], [KERB, -22], [KERB, NORTH_END]]
-    lines = [Line(_on_map(np.array(kerbs)), "guide", 1.0)]
+@cache
+def _surroundings() -> tuple[Line, Line]:
+    """Return the road and the houses beside it, as on a map; they stay the same."""
+    lift = [[np.nan, np.nan]]
+    kerbs = [[-KERB, -22], [-KERB, NORTH_END], *lift, [KERB, -22], [KERB, NORTH_END]]
+    walls = []
     for side, start, length, depth, *_ in HOUSES:
-        near, far = side * 6.6, side * (6.6 + depth)
-        end = start + length
-        walls = np.array([[near, start], [far, start], [far, end], [near, end]])
-        lines.append(Line(_on_map(walls), "guide", 1.0, closed=True, fill=0.25))
-    return tuple(lines)
+        near, far, end = side * 6.6, side * (6.6 + depth), start + length
+        walls += [[near, start], [far, start], [far, end], [near, end], [near, start], *lift]
+    return (
+        Line(_on_map(np.array(kerbs)), "guide", 1.0),
+        Line(_on_map(np.array(walls)), "guide", 1.0, fill=0.25),
+    )
 
 
 def _on_map(points: np.ndarray) -> np.ndarray:
