@@ -11,7 +11,7 @@ from course_lib.widgets.explorer import Explorer
 
 def depth_of_field_explorer() -> Explorer:
     """Return the depth-of-field explorer: a street through a real lens."""
-    lenses, places = (24, 28, 35, 50, 85, 100), (1.2, 7, 14)
+    lenses = (24, 28, 35, 50, 85, 100)
     return Explorer(
         "Depth of field",
         [
