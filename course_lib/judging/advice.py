@@ -11,6 +11,11 @@ ADVICE = (
     ),
     ("TypeError", "'list'", "A list cannot be computed with. Make it an array: `np.array(…)`."),
     ("TypeError", "'NoneType'", "Something here is None. Does a function lack its `return`?"),
+    (
+        "AttributeError",
+        "'NoneType'",
+        "Something here is None. Has a search found nothing, or does a function lack its `return`?",
+    ),
     ("TypeError", "only 0-dim", "This works for one number only; NumPy has it for arrays too."),
     (
         "TypeError",

@@ -102,7 +102,8 @@ class Close:
         if np.isnan(truth[~right]).all():
             return Mismatch("values", "Some values are numbers that should be NaN (no answer).")
         if np.isinf(truth[~right]).all():
-            return Mismatch("values", "Some values should be infinite (`np.inf`) and are not.")
+            which = "Some values" if truth.ndim else "The value"
+            return Mismatch("values", f"{which} should be infinite (`np.inf`) and not a number.")
         if np.isclose(array, truth, rtol=3e-3, atol=0, equal_nan=True).all():
             nearly = "Nearly right, less than 0.3 % off. Is it rounded, or a small thing missing?"
             return Mismatch("values", nearly)

@@ -24,6 +24,8 @@ def format_points(points: float) -> str:
 
 def format_value(value: Any) -> str:
     """Write a value as a student would compare it by eye: few digits, aligned, cut when long."""
+    if isinstance(value, np.ndarray) and not value.ndim:
+        value = value.item()
     if isinstance(value, float):
         return f"{value:.6g}"
     with np.printoptions(precision=5, suppress=True, threshold=24, edgeitems=3, linewidth=72):

@@ -1,5 +1,6 @@
 """Points by parts, feedback in order, the hint of the right misconception, nothing given away."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -16,7 +17,7 @@ from course_lib.judging import (
     seed_for,
 )
 from course_lib.judging.html import to_html
-from course_lib.judging.text import to_text
+from course_lib.judging.text import format_value, to_text
 
 
 def scaled(values, factor):
@@ -94,6 +95,8 @@ def test_untouched_function_is_told_why_where_there_is_none():
 def test_exceptions_are_put_in_plain_words():
     found = verdict(lambda values, factor: tuple(values) - 1)
     assert "np.array" in found.parts[0].feedback.message
+    found = verdict(lambda values, factor: re.search("a", "b").group())
+    assert "a search found nothing" in found.parts[0].feedback.message
     hidden = verdict(lambda values, factor: tuple(values) - 1, reveal=False)
     assert "np.array" in hidden.parts[0].feedback.message
 
@@ -209,6 +212,20 @@ def test_example_shows_inputs_got_and_expected():
     text = to_text(verdict(divided))
     for word in ("values =", "factor =", "your answer =", "expected =", "Hint:"):
         assert word in text
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (97275.60076644178, "97275.6"),
+        (np.array(97275.60076644178), "97275.6"),
+        ((1.5, np.inf), "(1.5, inf)"),
+        (np.array(True), "True"),
+        ({"f": (18.0, 140.0)}, "{'f': (18.0, 140.0)}"),
+    ],
+)
+def test_values_are_written_short(value, text):
+    assert format_value(value) == text
 
 
 def test_changed_inputs_are_noted_without_loss():

@@ -95,14 +95,19 @@ def focused(rng: Generator, ratio: Any) -> Known:
     In 1/Z, the focus lies in the middle between the limits.
     """
     f, N, c = focal_length(rng), full_or_half_stop(rng), float(spot(rng))
-    s = f + f * f * (1 / ratio - 1) / (N * c)
+    s = f + f * f * (1 / ratio - 1) / (N * c)  # the spot of the near limit is c
     beyond = 2 - 1 / ratio
     far = np.where(beyond > 0, s / np.where(beyond > 0, beyond, 1), np.inf)[()]
     return Known({"f": f, "N": N, "focus_distance": s, "c": c}, (ratio * s, far))
 
 
+def close_enough(rng: Generator, size: int | None = None) -> Any:
+    """Draw a near limit in focus distances, for a lens focused well before the hyperfocal one."""
+    return 1 / (1 + np.exp(rng.uniform(np.log(0.02), np.log(0.6), size)))
+
+
 def before_hyperfocal(rng: Generator) -> Known:
-    return focused(rng, float(rng.uniform(0.6, 0.95)))
+    return focused(rng, close_enough(rng))
 
 
 def beyond_hyperfocal(rng: Generator) -> Known:
@@ -110,7 +115,7 @@ def beyond_hyperfocal(rng: Generator) -> Known:
 
 
 def focus_distances(rng: Generator) -> Known:
-    return focused(rng, np.append(rng.uniform(0.6, 0.95, 3), rng.uniform(0.2, 0.4)))
+    return focused(rng, np.append(close_enough(rng, 3), rng.uniform(0.2, 0.4)))
 
 
 def depth_range(rng: Generator) -> Known:
