@@ -9,6 +9,15 @@ from course_lib.exercises.sensor.light import (
     SIGNAL_TO_NOISE,
     STRIPE_HEIGHT,
 )
+from course_lib.exercises.sensor.pictures import (
+    BAYER_MOSAIC,
+    CAMERA_GAIN_FROM_PAIRS,
+    CLIPPED_FRACTION,
+    DEMOSAIC_BILINEAR,
+    EXPLAIN_UNDER_OR_OVER,
+    FLAT_FIELD,
+    SILHOUETTE_AREA,
+)
 
 #: In the order of the lesson.
 EXERCISES = (
@@ -16,7 +25,14 @@ EXERCISES = (
     EQUIVALENT_EXPOSURE,
     SENSOR_RESPONSE,
     SIGNAL_TO_NOISE,
+    CAMERA_GAIN_FROM_PAIRS,
+    CLIPPED_FRACTION,
+    EXPLAIN_UNDER_OR_OVER,
     MOTION_BLUR_PIXELS,
     ROLLING_SHUTTER_SKEW,
+    BAYER_MOSAIC,
+    DEMOSAIC_BILINEAR,
+    FLAT_FIELD,
+    SILHOUETTE_AREA,
     STRIPE_HEIGHT,
 )

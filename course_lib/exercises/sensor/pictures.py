@@ -1,0 +1,276 @@
+"""Exercises of chapter 04 on pictures: their noise, their ends, their colours, their shade."""
+
+from __future__ import annotations
+
+from course_lib import illumination, sensor
+from course_lib.exercises.sensor import picture_inputs as inputs
+from course_lib.exercises.sensor import picture_misconceptions as wrong
+from course_lib.judging import Exercise, Explain, Misconception, Part
+from course_lib.judging.comparison import Close
+
+CAMERA_GAIN_FROM_PAIRS = Exercise(
+    "sensor",
+    sensor.camera_gain_from_pairs,
+    points=8,
+    parts={
+        "pairs within the range": Part(inputs.pairs_within_range, cases=1, weight=5),
+        "some pairs saturated": Part(inputs.some_pairs_saturated, cases=1, weight=3),
+    },
+    # What chance leaves of 9000 pixels, with room for other ways to fit the line.
+    compare=Close(rtol=0.05, atol=0),
+    misconceptions=[
+        Misconception(
+            wrong.difference_not_halved,
+            "A difference of two pictures holds the noise of both. How many times one variance "
+            "is that?",
+        ),
+        Misconception(
+            wrong.dark_not_subtracted,
+            "Without light the numbers are not zero. Do those DN come from electrons of light?",
+        ),
+        Misconception(
+            wrong.saturated_pairs_kept,
+            "A white picture has no noise at all. Should it tell you about electrons?",
+        ),
+        Misconception(
+            wrong.one_picture_alone,
+            "Within one picture the pixels differ for other reasons than chance. What is the "
+            "second one of the pair for?",
+        ),
+        Misconception(
+            wrong.electrons_per_number,
+            "DN per electron is asked for. Which unit does your number have?",
+        ),
+        Misconception(
+            wrong.deviation_for_variance,
+            "What grows in proportion to the number of electrons: the variance, or its root?",
+        ),
+        Misconception(
+            wrong.wraps_around,
+            "Ask NumPy for `np.uint16(3) - np.uint16(5)`. Is that what you want to average?",
+        ),
+    ],
+)
+
+CLIPPED_FRACTION = Exercise(
+    "sensor",
+    sensor.clipped_fraction,
+    parts={
+        "a grey picture": Part(inputs.grey_picture, weight=1.5),
+        "raw numbers with other ends": Part(inputs.raw_picture, weight=1),
+        "a picture in colour": Part(inputs.colour_picture, weight=1.5),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.ends_left_out,
+            "A pixel that holds exactly the last number: could it have been brighter?",
+        ),
+        Misconception(
+            wrong.beyond_left_out,
+            "Some raw numbers lie beyond the ends that were given. Are those pixels fine?",
+        ),
+        Misconception(
+            wrong.each_colour_counted,
+            "How many pixels does the picture have: as many as it has numbers?",
+        ),
+        Misconception(
+            wrong.all_colours_at_once,
+            "If only the red of a pixel is clipped, is its colour still right?",
+        ),
+        Misconception(
+            wrong.white_first,
+            "In which order are the two shares asked for?",
+        ),
+        Misconception(
+            wrong.in_percent,
+            "Which share is the whole picture: 1, or 100?",
+        ),
+        Misconception(
+            wrong.pixels_counted,
+            "That is how many pixels are clipped. Which share of the picture is it?",
+        ),
+        Misconception(
+            wrong.always_8_bits,
+            "Not all cameras end at the same number. Which arguments tell you where this one does?",
+        ),
+    ],
+)
+
+BAYER_MOSAIC = Exercise(
+    "sensor",
+    sensor.bayer_mosaic,
+    parts={
+        "red first (RGGB)": Part(inputs.red_first, weight=2),
+        "blue first (BGGR)": Part(inputs.blue_first, weight=1),
+        "green first (GRBG, GBRG)": Part(inputs.green_first, weight=1),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.always_red_first,
+            "Not every sensor begins with red. Which argument says how this one does?",
+        ),
+        Misconception(
+            wrong.red_and_blue_exchanged,
+            "In this course a colour is red, green, blue. Which layer is number 0?",
+        ),
+        Misconception(
+            wrong.columns_before_rows,
+            "Is the second letter of the pattern to the right of the first one, or below it?",
+        ),
+        Misconception(
+            wrong.mean_of_colours,
+            "Does a pixel behind a red filter know anything of green?",
+        ),
+        Misconception(
+            wrong.three_layers,
+            "How many numbers does the sensor write for one pixel?",
+        ),
+        Misconception(
+            wrong.one_pixel_a_square,
+            "Does every pixel of the picture get its filter, or only one of four?",
+        ),
+    ],
+    forbidden=("cv2.cvtColor", "cv2.demosaicing"),
+)
+
+DEMOSAIC_BILINEAR = Exercise(
+    "sensor",
+    sensor.demosaic_bilinear,
+    points=8,
+    parts={
+        "a wall of one colour": Part(inputs.one_colour, weight=1),
+        "many colours": Part(inputs.many_colours, weight=1),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.nearest_in_the_square,
+            "You take the nearest value of the same square. Which neighbours are as near on the "
+            "other side?",
+        ),
+        Misconception(
+            wrong.dark_frame,
+            "The edge of your picture is too dark. How many neighbours are really there?",
+        ),
+        Misconception(
+            wrong.blue_first,
+            "Which colour has the pixel in the top left corner seen? And in your picture?",
+        ),
+        Misconception(
+            wrong.green_in_the_corner,
+            "What does the first row of the mosaic begin with: green, or red?",
+        ),
+        Misconception(
+            wrong.seen_green_smoothed,
+            "Where a pixel has seen green itself, is there anything to guess?",
+        ),
+        Misconception(
+            wrong.other_side_of_the_picture,
+            "What does a pixel at the left edge have to do with the right edge?",
+        ),
+        Misconception(
+            wrong.grey_three_times,
+            "A red wall: what should the green of its pixels be, and what is it in yours?",
+        ),
+    ],
+    forbidden=("cv2.cvtColor", "cv2.demosaicing"),
+)
+
+FLAT_FIELD = Exercise(
+    "sensor",
+    sensor.flat_field,
+    parts={
+        "grey pictures": Part(inputs.shaded_greys, weight=2),
+        "pictures in colour": Part(inputs.shaded_colours, weight=1),
+        "unsigned whole numbers": Part(inputs.raw_numbers, weight=1),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.dark_left_out,
+            "With the cap on, the numbers are not zero. Does that part come through the lens?",
+        ),
+        Misconception(
+            wrong.dark_left_in_flat,
+            "The flat picture was taken with the same sensor. What else is in it than light?",
+        ),
+        Misconception(
+            wrong.not_scaled_back,
+            "Divided by the flat picture, a white wall becomes 1. How bright should it be in DN?",
+        ),
+        Misconception(
+            wrong.flat_subtracted,
+            "A pixel that gets half of the light: does it lack a number, or a factor?",
+        ),
+        Misconception(
+            wrong.one_mean_for_all,
+            "The flat picture is brighter in green than in blue. Do you mix up their means?",
+        ),
+        Misconception(
+            wrong.scaled_to_brightest,
+            "As bright as the surface is seen on average: which number did you scale with?",
+        ),
+        Misconception(
+            wrong.unsigned_difference,
+            "Ask NumPy for `np.uint16(3) - np.uint16(5)`. Can that happen in the shadows here?",
+        ),
+    ],
+)
+
+SILHOUETTE_AREA = Exercise(
+    "sensor",
+    illumination.silhouette_area,
+    points=3,
+    parts={
+        "square pixels": Part(inputs.square_pixels, weight=2),
+        "pixels that are not square": Part(inputs.oblong_pixels, weight=1),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.bright_counted,
+            "The light comes from behind. Is the object bright in this picture, or dark?",
+        ),
+        Misconception(
+            wrong.threshold_included,
+            "To which side does a pixel belong that holds the threshold itself?",
+        ),
+        Misconception(
+            wrong.side_for_area,
+            "Which unit should an area have, and which one does yours have?",
+        ),
+        Misconception(
+            wrong.number_of_pixels,
+            "That is how many pixels are dark. How large is one of them on the object?",
+        ),
+        Misconception(
+            wrong.box_around_it,
+            "You measure a box around the object. Is all of the box dark?",
+        ),
+        Misconception(
+            wrong.grey_values_added,
+            "Does a pixel count for more when it is less dark?",
+        ),
+        Misconception(
+            wrong.width_squared,
+            "Suppose that a pixel is higher than wide. Which two lengths make its area?",
+        ),
+    ],
+)
+
+EXPLAIN_UNDER_OR_OVER = Explain(
+    "sensor",
+    "explain_under_or_over",
+    rubric=[
+        (1, "Says that a clipped pixel has lost its value: nothing can bring it back."),
+        (1, "Says that an underexposed pixel still holds its value, with more noise for its size."),
+        (1, "Names where that noise comes from: few photons (shot), readout, coarse steps."),
+        (1, "Draws the limit: expose as bright as possible without clipping what matters."),
+    ],
+    model_answer=(
+        "A pixel at the last number may have seen a little more light or a hundred times as much; "
+        "darkening the picture makes it a uniform grey, and edges and colours stay lost. A pixel "
+        "that got a quarter of the light holds a quarter of the number: multiplied by four it is "
+        "right on average, but its shot noise by signal is twice as large, and the readout noise "
+        "and the rounding steps are four times as large as in a good exposure. So expose as bright "
+        "as the scene allows, keep the highlights that matter just below the end of the histogram, "
+        "and when in doubt stay a little below."
+    ),
+)
