@@ -191,8 +191,8 @@ class UpToScale:
         if not np.isfinite(norms).all() or not np.all(norms):
             return Mismatch("values", "All values are zero, or some are not finite.")
         unit, unit_truth = array / norms[0], truth / norms[1]
-        differences = [np.linalg.norm(unit - s * unit_truth, axis=axis) for s in (1, -1)]
-        if (np.minimum(*differences) < self.tolerance).all():
+        same, opposite = (np.linalg.norm(unit - s * unit_truth, axis=axis) for s in (1, -1))
+        if (np.minimum(same, opposite) < self.tolerance).all():
             return None
         return Mismatch("values", "The answer is not a multiple of the right one.")
 
