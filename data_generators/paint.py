@@ -155,10 +155,11 @@ def add_texture(
     import cv2
 
     left, top, right, bottom = box
-    picture_from_box = np.array([[1.0, 0.0, left], [0.0, 1.0, top], [0.0, 0.0, 1.0]])
+    texel_from_box = texel_from_pixel.copy()
+    texel_from_box[:, 2] = texel_from_pixel @ (left, top, 1)
     warped = cv2.warpPerspective(
         texture,
-        texel_from_pixel @ picture_from_box,
+        texel_from_box,
         (right - left, bottom - top),
         flags=cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP,
         borderMode=cv2.BORDER_WRAP if wrap else cv2.BORDER_REPLICATE,

@@ -19,7 +19,7 @@ from data_generators.clipping import SLAB, Polygons, clip, slabs, view_planes
 from data_generators.order import back_to_front, side_table
 from data_generators.paint import Picture
 from data_generators.pyramid import TexturePyramid, levels_for
-from data_generators.scene import Colour, Scene
+from data_generators.scene import Colour, Scene, Texture
 
 
 class QuickRenderer:
@@ -55,6 +55,7 @@ class QuickRenderer:
             pyramids.setdefault(id(patch.texture), TexturePyramid(patch.texture))
         self._pyramids = [pyramids[id(p.texture)] for p in patches]
         self._repeat = np.array([p.repeat for p in patches], float).reshape(-1, 2)
+        self._wraps: list[bool] = (self._repeat != 1).any(axis=1).tolist()
         self._texels = np.array([p.size for p in self._pyramids]).reshape(-1, 2) * self._repeat
         self._highest = np.array([p.highest for p in self._pyramids], int).reshape(-1, 2)
         self._textured: NDArray[np.bool_] = np.asarray(self._highest.any(axis=1))
@@ -117,30 +118,24 @@ class QuickRenderer:
         colours[[k + 1 for k in textured]] = 0
         picture = paint.coloured(owners, colours.astype(np.uint8), self.subpixels)
         boxes = paint.bounding_boxes(polygons, camera.image_size)
-        for k in textured:
+        homographies = self._texels_from_pixels(maps, patches, textures, textured)
+        for k, homography in zip(textured, homographies, strict=True):
             share, box = paint.share_of(owners, k + 1, boxes[k], self.subpixels)
             if share is not None and box is not None:
-                self._add(picture, patches[k], share, box, maps[k], textures[k])
+                wrap = self._wraps[patches[k]]
+                paint.add_texture(picture, share, box, textures[k], homography, wrap)
         return picture, owners
 
-    def _add(
-        self,
-        picture: Picture,
-        patch: int,
-        share: Picture,
-        box: paint.Box,
-        homography: Array,
-        texture: NDArray[np.uint8],
-    ) -> None:
-        """Add one textured piece to the picture."""
-        wrap = bool((self._repeat[patch] != 1).any())
-        rows, columns = texture.shape[:2]
-        repeat_u, repeat_v = self._repeat[patch]
-        # Texel from (a, b): the first texel's centre is half a texel from the edge.
-        texel_from_patch = np.array(
-            [[columns * repeat_u, 0, -0.5], [0, rows * repeat_v, -0.5], [0, 0, 1]]
-        )
-        paint.add_texture(picture, share, box, texture, texel_from_patch @ homography, wrap)
+    def _texels_from_pixels(
+        self, maps: Array, patches: list[int], textures: list[Texture], textured: list[int]
+    ) -> Array:
+        """Return homographies from the picture to texels for the pieces with a texture."""
+        sizes = np.array([textures[k].shape[1::-1] for k in textured]).reshape(-1, 2)
+        repeats = self._repeat[[patches[k] for k in textured]]
+        maps = maps[textured]
+        # The first texel's centre is half a texel from the edge.
+        maps[:, :2] = maps[:, :2] * (sizes * repeats)[:, :, None] - 0.5 * maps[:, 2:]
+        return maps
 
     def pieces(self, camera: Camera) -> tuple[list[int], list[Array]]:
         """Return the visible parts of the patches, in the order of painting.
