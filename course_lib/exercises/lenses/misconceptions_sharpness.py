@@ -21,6 +21,10 @@ def radius_of_the_spot(f, N, c):
     return f**2 / (N * 2 * c) + f
 
 
+def spot_in_micrometres(f, N, c):
+    return f**2 / (N * c / 1000) + f
+
+
 def half_the_way(f, N, c):
     return (f**2 / (N * c) + f) / 2
 
@@ -151,6 +155,10 @@ def airy_without_its_factor(wavelength, f_number):
 
 def airy_divided(wavelength, f_number):
     return 2.44 * wavelength / f_number
+
+
+def wavelength_in_nanometres(wavelength, f_number):
+    return 2.44 * (wavelength / 1e6) * f_number
 
 
 def airy_area(wavelength, f_number):

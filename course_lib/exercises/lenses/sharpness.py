@@ -29,6 +29,10 @@ HYPERFOCAL_DISTANCE = Exercise(
             "Is c the diameter of the spot, or its radius?",
         ),
         Misconception(
+            wrong.spot_in_micrometres,
+            "Some kilometres too far. In which unit does c come?",
+        ),
+        Misconception(
             wrong.half_the_way,
             "From there on all is sharp when the lens is focused right. But where is the focus?",
         ),
@@ -174,6 +178,10 @@ AIRY_DIAMETER = Exercise(
         Misconception(
             wrong.airy_divided,
             "A smaller opening spreads the light more. Does N grow or shrink when you stop down?",
+        ),
+        Misconception(
+            wrong.wavelength_in_nanometres,
+            "You changed a unit. In which unit does the wavelength come, and the answer go?",
         ),
         Misconception(
             wrong.airy_area,
