@@ -7,11 +7,9 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from course_lib.checks import Array
-
 SHARP = 0.3  # px: smaller disks change nothing that a pixel shows
 WIDEST = (5.0, 16.0, 56.0, 120.0)  # px: the largest disk drawn at 1/1, 1/2, 1/4, 1/8 of the size
-SMALL = 1.6  # px: smaller disks are only a little more than a pixel
+SMALL = 2.6  # px: smaller disks are three pixels wide
 GRID = 2 ** len(WIDEST)  # px: pictures must be multiples of this
 
 
@@ -40,10 +38,11 @@ def kernel(diameter: float) -> NDArray[np.float32] | None:
         return None
     r = 2 ** reduction(diameter)
     if r == 1:
-        return disk(round(diameter, 2))
-    # Variance D² / 16 of a disk, less that of the r × r mean and of the interpolation back.
-    left = diameter**2 - 16 * ((r**2 - 1) / 12 + r**2 / 6)
-    return disk(round(float(np.sqrt(left)) / r, 2))
+        return disk(round(20 * diameter) / 20)
+    # Variance D² / 16 of a disk, less r² / 4: (r² - 1) / 12 of the mean of r × r pixels, and
+    # r² / 6 + 1 / 12 of the interpolation back.
+    within = np.sqrt((diameter / r) ** 2 - 4)
+    return disk(round(20 * float(within)) / 20)
 
 
 @lru_cache(512)
@@ -64,16 +63,12 @@ def disk(diameter: float) -> NDArray[np.float32]:
         side = diameter**2 / 32
         row = np.array([side, 1 - 2 * side, side])
         return np.outer(row, row).astype(np.float32)
-    # Covering whole pixels widens the disk by a pixel's variance, 1 / 12.
-    narrow = np.sqrt(diameter**2 - 16 / 12)
-    half = int(np.ceil(narrow / 2 - 0.5))
-    inside = _coverage(narrow, half)
-    return np.asarray(inside / inside.sum(), np.float32)
-
-
-def _coverage(diameter: float, half: int, n: int = 16) -> Array:
-    """Return the share of each pixel of a square that a disk covers, by n × n points."""
-    points = (np.arange((2 * half + 1) * n) + 0.5) / n - half - 0.5
-    inside = np.hypot(points[:, None], points[None, :]) <= diameter / 2
-    side = 2 * half + 1
-    return np.asarray(inside.reshape(side, n, side, n).mean(axis=(1, 3)))
+    half = int(np.ceil(diameter / 2 - 0.6))
+    squares = np.arange(-half, half + 1.0) ** 2
+    radius = np.sqrt(squares[:, None] + squares)
+    edge = diameter / 2
+    for _ in range(12):  # Whole pixels change the variance of the disk: make up for it.
+        inside = np.clip(edge + 0.5 - radius, 0, 1)
+        inside /= inside.sum()
+        edge = np.sqrt(edge**2 + 2 * (diameter**2 / 16 - inside.sum(axis=0) @ squares))
+    return inside.astype(np.float32)

@@ -1,0 +1,267 @@
+import doctest
+
+import numpy as np
+import pytest
+
+from course_lib.camera import Camera, image_centre
+from course_lib.optics import circle_of_confusion
+from data_generators import defocus, disks
+from data_generators.defocus import DefocusedView, levels
+from data_generators.lens import Lens
+from data_generators.render import photograph, radiance
+from data_generators.scene import Patch, Scene
+from data_generators.shot import Shot
+from data_generators.staggered import DISTANCES, PLACES, staggered, staggered_camera
+
+PITCH = 0.05  # mm
+SIZE = (96, 80)
+
+
+def card(Z, side, colour=(255, 255, 255), middle=(0, 0)):
+    """A square that faces a camera at the origin, its side in m."""
+    corner = np.array([middle[0] - side / 2, middle[1] - side / 2, Z])
+    return Patch(corner, (side, 0, 0), (0, side, 0), np.array(colour))
+
+
+def camera_of(lens, size=SIZE):
+    return Camera(lens.intrinsics(PITCH, size), np.eye(3), np.zeros(3), size)
+
+
+def take(engine, scene, camera, lens, samples=6):
+    if engine == "quick":
+        return DefocusedView(scene, subpixels=8).picture(camera, lens) / 255
+    return radiance(scene, camera, samples, Shot(lens=lens))
+
+
+def spread(light, side):
+    """Diameter of a uniform disk from its second moment, D = 4 sigma; the lamp's taken off, px."""
+    grey = light.sum(axis=2)
+    variances = []
+    for axis in np.indices(grey.shape):
+        mean = (grey * axis).sum() / grey.sum()
+        variances.append((grey * (axis - mean) ** 2).sum() / grey.sum())
+    return 4 * np.sqrt(max(0, np.mean(variances) - side**2 / 12 - 1 / 12))
+
+
+class TestLens:
+    def test_shapes(self):
+        lens = Lens(50, 2, 2000)
+        assert lens.disks([1.0, 2.0, np.inf], camera_of(lens)).shape == (3,)
+        assert lens.pitch(camera_of(lens)).shape == (2,)
+        assert lens.intrinsics((0.01, 0.02), (640, 480)).shape == (3, 3)
+
+    def test_accuracy(self):
+        lens = Lens(50, 2.8, 750)
+        assert 1 / lens.image_distance + 1 / 750 == pytest.approx(1 / 50)
+        assert lens.diameter == pytest.approx(50 / 2.8)
+        np.testing.assert_allclose(lens.pitch(camera_of(lens)), PITCH)
+        expected = circle_of_confusion([400, 750, np.inf], 750, 50, 2.8) / PITCH
+        np.testing.assert_allclose(lens.disks([0.4, 0.75, np.inf], camera_of(lens)), expected)
+
+    def test_disks_are_the_aperture_as_an_angle(self):
+        lens = Lens(35, 4, 1500)
+        expected = camera_of(lens).K[0, 0] * lens.diameter / 1000 * abs(1 / 0.6 - 1 / 1.5)
+        assert lens.disks(0.6, camera_of(lens)) == pytest.approx(expected)
+
+    def test_light(self):
+        # Two stops make a quarter of the light; at magnification 1 there is another quarter.
+        assert Lens(50, 4).light == pytest.approx(4 * Lens(50, 8).light)
+        assert Lens(50, 4).light == pytest.approx(4 * Lens(50, 4, 100).light)
+        assert Lens(50, 4).image_distance == 50
+
+    @pytest.mark.parametrize("arguments", [(0, 2), (50, -1), (50, 2, 50), (50, 2, 20), (50, 2, -1)])
+    def test_errors(self, arguments):
+        with pytest.raises(ValueError, match=r"positive|larger than the focal length of 50 mm"):
+            Lens(*arguments)
+
+
+class TestDisks:
+    @pytest.mark.parametrize("diameter", [0.4, 1.0, 1.5, 1.7, 3.0, 4.9, 5.1, 9, 15.9, 17, 40, 100])
+    def test_second_moment(self, diameter):
+        # What a point becomes, averaged over all places that it may have in the reduced picture.
+        import cv2
+
+        r, weights = 2 ** disks.reduction(diameter), disks.kernel(diameter)
+        side = 256
+        widths = []
+        for start in range(r):
+            point = np.zeros((side, side), np.float32)
+            point[side // 2, side // 2 + start] = 1
+            small = cv2.resize(point, (side // r, side // r), interpolation=cv2.INTER_AREA)
+            small = cv2.filter2D(small, -1, weights)
+            seen = cv2.resize(small, (side, side), interpolation=cv2.INTER_LINEAR).sum(axis=0)
+            assert seen.sum() == pytest.approx(1, abs=1e-4)
+            widths.append((seen * (np.arange(side) - side // 2 - start) ** 2).sum())
+        assert 4 * np.sqrt(np.mean(widths)) == pytest.approx(diameter, rel=0.02, abs=0.03)
+
+    def test_degenerate(self):
+        assert disks.kernel(0.0) is None
+        assert disks.reduction(0.0) == 0
+
+    def test_levels(self):
+        assert levels(3.0, 3.2) == pytest.approx([3.1])
+        many = levels(0.0, 40.0)
+        assert many[0] == 0
+        assert many[-1] == pytest.approx(40)
+        assert ((many[1:] + 2) / (many[:-1] + 2)).max() < 1.5
+
+
+@pytest.mark.parametrize("engine", ["quick", "rays"])
+class TestBothEngines:
+    @pytest.mark.parametrize(
+        ("focus", "N", "Z"), [(2000, 2, 1.0), (1000, 4, 3.0), (1000, 1.4, 1.3), (np.inf, 2, 0.9)]
+    )
+    def test_disk_of_a_point(self, engine, focus, N, Z):
+        lens = Lens(50, N, focus)
+        camera, side = camera_of(lens), 3  # px
+        scene = Scene((card(Z, side * Z / camera.K[0, 0]),), (0, 0, 0))
+        expected = float(circle_of_confusion(1000 * Z, focus, 50, N)) / PITCH
+        assert 3 < expected < 30
+        light = take(engine, scene, camera, lens)
+        assert spread(light, side) == pytest.approx(expected, rel=0.04)
+        # Spread out, but not lost.
+        sharp = take(engine, scene, camera, Lens(50, 1000, focus))
+        assert light.sum() == pytest.approx(sharp.sum(), rel=0.05)
+
+    @pytest.mark.parametrize("Z", [0.8, 3.0])
+    def test_edge(self, engine, Z):
+        # An edge seen through a disk rises from 0 to 1 over its diameter, half of it in the middle.
+        lens = Lens(50, 1.4, 1200)
+        camera = camera_of(lens)
+        scene = Scene((card(Z, 2.0, middle=(1, 0)),), (0, 0, 0))
+        row = take(engine, scene, camera, lens)[38:42, :, 0].mean(axis=0)
+        D = float(circle_of_confusion(1000 * Z, 1200, 50, 1.4)) / PITCH
+        x = np.arange(SIZE[0]) - image_centre(SIZE)[0]
+        s = np.clip(2 * x / D, -1, 1)
+        expected = 0.5 + (np.arcsin(s) + s * np.sqrt(1 - s**2)) / np.pi  # share of a disk
+        assert D > 7
+        np.testing.assert_allclose(row, expected, atol=0.05)
+        # The quick engine's disks have soft rims: the same second moment, a steeper middle.
+        rel = {"rays": 0.05, "quick": 0.13}[engine]
+        middle = np.abs(x) < 0.3 * D
+        slope = np.polyfit(x[middle], row[middle], 1)[0]
+        assert slope == pytest.approx(np.polyfit(x[middle], expected[middle], 1)[0], rel=rel)
+
+    def test_looks_past_a_near_edge(self, engine):
+        # Sharp stripes behind a near edge: each point of them is seen by the part of the lens
+        # that the near card leaves free, also beyond the edge that a pinhole sees.
+        lens = Lens(50, 1.4, 2000)
+        camera = camera_of(lens)
+        side = 4 * 2 / camera.K[0, 0]  # 4 px
+        stripes = [
+            Patch((k * side, -1, 2), (side, 0, 0), (0, 2, 0), np.array((200, 200, 200)))
+            for k in range(-12, 12, 2)
+        ]
+        near = card(0.8, 2, (80, 0, 0), (1, 0))
+        light = take(engine, Scene((*stripes, near), (0, 0, 0)), camera, lens)
+        row = light[36:44, :, 1].mean(axis=0)
+        x = np.arange(SIZE[0]) - image_centre(SIZE)[0]
+        s = np.clip(2 * x / float(lens.disks(0.8, camera)), -1, 1)
+        free = 0.5 - (np.arcsin(s) + s * np.sqrt(1 - s**2)) / np.pi
+        seen = np.isin(x % 8, (1.5, 2.5)) & (np.abs(x) < 40)
+        np.testing.assert_allclose(row[seen], (free * 200 / 255)[seen], atol=0.06)
+        assert row[seen & (x > 0)].max() > 0.05
+        between = np.isin(x % 8, (5.5, 6.5)) & (np.abs(x) < 40)
+        assert row[between].max() < 0.06
+
+    def test_sharp_where_focused(self, engine):
+        lens = Lens(50, 1.4, 2000)
+        camera = camera_of(lens)
+        scene = Scene((card(2, 20 * 2 / camera.K[0, 0]),), (0, 0, 0))
+        row = take(engine, scene, camera, lens)[40, :, 0]
+        assert row[:36].max() < 0.03
+        assert row[40:56].min() > 0.97
+
+    def test_determinism(self, engine):
+        lens = Lens(50, 2, 1000)
+        camera = staggered_camera(lens, 36 / 64, (64, 48))
+        one, other = (take(engine, staggered(), camera, lens, 2) for _ in range(2))
+        np.testing.assert_array_equal(one, other)
+
+
+class TestQuick:
+    @pytest.mark.parametrize("focus", [600, 3000])
+    def test_is_the_picture_of_the_rays(self, focus):
+        lens, size = Lens(50, 2, focus), (120, 90)
+        camera = staggered_camera(lens, 36 / 120, size)
+        quick = DefocusedView(staggered(), subpixels=4).picture(camera, lens)
+        rays = photograph(staggered(), camera, shot=Shot(lens=lens), samples=5)
+        error = quick.astype(float) - rays
+        # Where it is sharp, the quick texture differs as in QuickRenderer; grey levels of 255.
+        assert np.sqrt(np.mean(error**2)) < 10
+        assert np.abs(error.mean()) < 1
+        import cv2
+
+        smooth = cv2.blur(error, (7, 7))
+        assert np.abs(smooth).max() < 22
+        assert np.sqrt(np.mean(smooth**2)) < 3.5
+
+    def test_another_camera_another_picture(self):
+        # Layers are kept from picture to picture: the order of pictures must not matter.
+        view = DefocusedView(staggered())
+        lenses = Lens(50, 2, 1000), Lens(35, 2, 1000), Lens(50, 8, 3000)
+        cameras = [staggered_camera(lens, 36 / 96, (96, 72)) for lens in lenses]
+        first = [view.picture(c, lens) for c, lens in zip(cameras, lenses, strict=True)]
+        assert view.picture(cameras[0], lenses[0]).shape == (72, 96, 3)
+        for camera, lens, picture in zip(cameras, lenses, first, strict=True):
+            fresh = DefocusedView(staggered()).picture(camera, lens)
+            np.testing.assert_array_equal(picture, fresh)
+
+    def test_breathing(self):
+        # Magnified from the view at infinity, or drawn anew: the same but for the resampling.
+        lens = Lens(50, 11, 500)
+        camera = staggered_camera(lens, 36 / 240, (240, 180))
+        magnified = DefocusedView(staggered()).picture(camera, lens).astype(float)
+        anew = DefocusedView(staggered(), breathes=False).picture(camera, lens)
+        import cv2
+
+        difference = cv2.blur(magnified - anew, (5, 5))
+        assert np.sqrt(np.mean(difference**2)) < 4
+
+    def test_nothing_to_see(self):
+        lens = Lens(50, 2, 1000)
+        picture = DefocusedView(Scene((), (1, 2, 3))).picture(camera_of(lens), lens)
+        assert (picture == (1, 2, 3)).all()
+
+    def test_closed_scene_has_no_seams(self):
+        # Floor and wall of one grey, cut into many layers: nothing of the background shines
+        # through, however much they are blurred.
+        grey = np.array((90, 90, 90))
+        floor = Patch((-50, 0.4, 0), (100, 0, 0), (0, 0, 60), grey)
+        wall = Patch((-50, -50, 40), (100, 0, 0), (0, 100, 0), grey)
+        for focus, N in ((400, 1.4), (3000, 1.4), (np.inf, 4)):
+            lens = Lens(50, N, focus)
+            view = DefocusedView(Scene((floor, wall), (255, 255, 255)))
+            picture = view.picture(camera_of(lens, (160, 128)), lens)
+            assert np.abs(picture[8:-8, 8:-8].astype(int) - 90).max() <= 6
+
+
+class TestStaggered:
+    def test_cards_look_alike(self):
+        # Where each card is written down is where a card of its colour is seen.
+        lens = Lens(50, 32, 2000)
+        camera = staggered_camera(lens, 36 / 640)
+        for Z, (x, y) in zip(DISTANCES, PLACES, strict=True):
+            middle = camera.project((x * Z, Z, 0.35 + y * Z))
+            u = camera.K[0, 2] + camera.K[0, 0] * x
+            v = camera.K[1, 2] - camera.K[1, 1] * y
+            np.testing.assert_allclose(middle, (u, v), atol=1e-9)
+
+    def test_only_the_focused_card_is_sharp(self):
+        def contrast(focus, Z):
+            lens = Lens(50, 1.8, 1000 * focus)
+            camera = staggered_camera(lens, 36 / 320, (320, 240))
+            picture = view.picture(camera, lens)[..., 1].astype(float)
+            x, y = PLACES[DISTANCES.index(Z)]
+            u, v = camera.K[:2, 2] + camera.K[0, 0] * np.array([x, -y])
+            part = picture[int(v) - 15 : int(v) + 15, int(u) - 20 : int(u) + 20]
+            return np.abs(np.diff(part, axis=1)).mean()
+
+        view = DefocusedView(staggered())
+        for Z in (0.5, 1.0, 2.0):
+            seen = {focus: contrast(focus, Z) for focus in DISTANCES}
+            assert max(seen, key=seen.get) == Z
+
+
+def test_examples_run():
+    assert doctest.testmod(defocus).failed == 0
