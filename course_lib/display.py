@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from base64 import b64encode
+from html import escape
 
 
 def show_block(html: str, text: str) -> None:
@@ -19,6 +21,25 @@ def show_block(html: str, text: str) -> None:
         display({"text/html": html, "text/plain": text}, raw=True)
     else:
         print(text)
+
+
+def described_picture(png: bytes, description: str) -> str:
+    """Return an ``img`` element: JupyterLab would show a bare PNG without the words that it needs.
+
+    Parameters
+    ----------
+    png : bytes
+        The picture.
+    description : str
+        Its text alternative.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    data = b64encode(png).decode("ascii")
+    return f'<img alt="{escape(description)}" src="data:image/png;base64,{data}">'
 
 
 def _in_a_kernel() -> bool:

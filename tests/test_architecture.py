@@ -57,7 +57,7 @@ MAY_IMPORT = {
     "course_lib.judging": set(),
     "course_lib.drawing": {"data_generators", "course_lib.display"},
     "course_lib.exercises": {"course_lib.judging", "course_lib.drawing"},
-    "course_lib.widgets": {"course_lib.drawing", "data_generators"},
+    "course_lib.widgets": {"course_lib.display", "course_lib.drawing", "data_generators"},
     "course_lib.environment": {"course_lib.display"},
     "course_lib.notebook": {"course_lib.judging", "course_lib.exercises", "course_lib.display"},
     "course_lib.authoring": {"course_lib.judging", "course_lib.exercises", "course_lib.notebook"},

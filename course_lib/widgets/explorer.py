@@ -7,7 +7,6 @@ frame. So events coalesce while a slider is dragged, and the last state always a
 from __future__ import annotations
 
 import threading
-from base64 import b64encode
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,6 +15,7 @@ from typing import Any
 import anywidget
 import traitlets
 
+from course_lib.display import described_picture
 from course_lib.drawing.explorers.frame import Frame, still
 from course_lib.widgets.controls import Control, Slider
 from course_lib.widgets.messages import encode_frame
@@ -170,8 +170,8 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         try:
             frame = self.frame_now()
             settings = ", ".join(f"{c.label}: {self._shown(n)}" for n, c in self._controls.items())
-            data["image/png"] = b64encode(still(frame, settings)).decode("ascii")
             words = f"{settings}\n{frame.in_words()}"
+            data["text/html"] = described_picture(still(frame, settings), words)
         except Exception as error:  # the live explorer shows the same sentence
             words = self._sentence(error)
         return data | {"text/plain": f"{self.spec['title']}\n{words}"}, metadata

@@ -1,4 +1,5 @@
 import base64
+import re
 import threading
 
 import cv2
@@ -116,7 +117,11 @@ def test_readers_without_a_kernel_get_a_figure_and_words(explorer):
     assert "Doubled: 140 mm" in data["text/plain"]
     assert "Focal length: 70 mm" in data["text/plain"]
     assert "Coupled: off" in data["text/plain"]
-    png = np.frombuffer(base64.b64decode(data["image/png"]), np.uint8)
+    picture = re.fullmatch(
+        r'<img alt="([^"]*)" src="data:image/png;base64,(.*)">', data["text/html"]
+    )
+    assert "Doubled: 140 mm" in picture[1]
+    png = np.frombuffer(base64.b64decode(picture[2]), np.uint8)
     assert cv2.imdecode(png, cv2.IMREAD_COLOR).shape[1] == 800
 
 
@@ -124,7 +129,7 @@ def test_readers_without_a_kernel_learn_of_an_error_too(explorer):
     explorer.set(f=90)
     data, _ = explorer._repr_mimebundle_()
     assert "does not fit" in data["text/plain"]
-    assert "image/png" not in data
+    assert "text/html" not in data
 
 
 def test_two_threads_cannot_mix_their_states(explorer):
