@@ -206,13 +206,14 @@ def still(frame: Frame, settings: str = "") -> bytes:
         A PNG picture.
     """
     import io
+    import textwrap
 
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     widths = [p.size[0] for p in frame.pictures]
     tallest = max(p.size[1] for p in frame.pictures)
-    caption = "\n".join(filter(None, [settings, _numbers(frame)]))
+    caption = "\n".join([*textwrap.wrap(settings, 115), *filter(None, [_numbers(frame)])])
     with style.course_style():
         height = style.FULL_WIDTH * tallest / sum(widths) + 0.5 + 0.18 * (caption.count("\n") + 1)
         figure = Figure(figsize=(style.FULL_WIDTH, height))

@@ -246,7 +246,7 @@ def _names() -> tuple[Label, ...]:
     return (
         Label("plane w = 1", _pair(top), "guide", "middle"),
         Label("origin", _pair(origin), "ink"),
-        Label("line at infinity", _pair(infinity), "ray", "middle"),
+        Label("line at infinity", _pair(infinity), "ink", "middle"),
     )
 
 

@@ -203,7 +203,7 @@ def gimbal_lock(tilts_deg: Sequence[float] = (20.0, 90.0)) -> Figure:
 
 def _aside(name: str, axis: Floats) -> Floats:
     """Keep the names of two axes apart where they lie on one line."""
-    return np.array([44.0, 30.0]) if name == "roll" and abs(axis[2]) > 0.99 else np.zeros(2)
+    return np.array([52.0, 34.0]) if name == "roll" and abs(axis[2]) > 0.99 else np.zeros(2)
 
 
 def _ring(axis: Floats) -> Floats:

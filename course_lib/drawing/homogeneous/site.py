@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from course_lib.camera import Camera, camera_at
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
 from course_lib.drawing.explorers.street import renderer
-from course_lib.drawing.style import BLACK, GREY, LIGHT, ROLES
+from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, LIGHT, ROLES
 from course_lib.transforms import rotation_z
 
 if TYPE_CHECKING:
@@ -126,7 +126,8 @@ def imports(poses: Sequence[object], titles: Sequence[str]) -> Figure:
     Figure
         A photograph for each.
     """
-    fig, axes = panels(1, len(poses), (8.0, 2.3), squeeze=False)
+    height = 0.5 + FULL_WIDTH / len(poses) * SIZE[1] / SIZE[0]
+    fig, axes = panels(1, len(poses), (FULL_WIDTH, height), squeeze=False)
     for ax, pose, title in zip(axes[0], poses, titles, strict=True):
         show_view(ax, pose)
         ax.set(xticks=[], yticks=[], xlabel="", ylabel="")

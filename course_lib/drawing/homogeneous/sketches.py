@@ -35,7 +35,7 @@ def where_is_it() -> Figure:
     sketch(ax)
     view = onlooker((3.4, -6.4, 3.6), (0.5, 0.6, 0.75), 1080)
     camera = onlooker((1.1, 0.9, 1.4), (0.9, 4.0, 1.0), 700)
-    show_frustum(ax, view, camera, depth=1.1)
+    show_frustum(ax, view, camera, depth=1.1, name="")
     world = np.array([-1.5, 0.2, 0.0])
     show_axes(ax, view, world, 0.8 * np.eye(3), "XYZ", "guide", "world")
     show_axes(ax, view, camera.centre, 0.8 * camera.R, "xyz", "camera")
@@ -53,7 +53,7 @@ def _both_ways(ax: Axes, view: Camera, world: Floats, centre: Floats) -> None:
         shift = side * across
         arrow = {"arrowstyle": "-|>", "color": ROLES[role], "lw": 2, "shrinkA": 6, "shrinkB": 6}
         ax.annotate("", xy=tuple(end + shift), xytext=tuple(start + shift), arrowprops=arrow)
-        write(ax, (a + b) / 2 + 3.4 * shift, name, role, fontsize=15)
+        write(ax, (a + b) / 2 + 3.4 * shift, name, fontsize=15)
 
 
 @figure(

@@ -1,0 +1,252 @@
+"""The figures of chapter 02: each draws, says what it shows, and shows the right thing."""
+
+import re
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+
+mpl.use("Agg")  # as a test has no screen
+
+import matplotlib.pyplot as plt
+from matplotlib.colors import to_rgb
+
+from course_lib import homogeneous, transforms
+from course_lib.camera import Camera
+from course_lib.drawing import homogeneous as draw
+from course_lib.drawing.homogeneous import moves, projective, site
+from course_lib.drawing.space import onlooker
+from course_lib.drawing.style import ROLES
+
+PLAN = transforms.cv_from_graphics_camera(draw.FROM_BLENDER)
+SECOND = Camera(draw.K, *PLAN, draw.SIZE)
+PAIRS = np.array([[3, 2], [1.5, 1], [-1, 0.5], [1, 0.25], [2, 0]])
+ANGLES = np.radians([60, 120, 180])
+TURNS = [transforms.rotation_about_axis(draw.HINGES, angle) for angle in ANGLES]
+
+FIGURES = {
+    "clockwise": draw.clockwise,
+    "columns_of": lambda: draw.columns_of(draw.corner_camera().P, draw.corner_camera()),
+    "gimbal": draw.gimbal,
+    "gimbal_lock": draw.gimbal_lock,
+    "imports": lambda: draw.imports([PLAN, None, (np.eye(3), [1, 2])], ["a", "b", "c"]),
+    "one_ray": lambda: draw.one_ray((622, 94), draw.first_camera(), SECOND),
+    "opening_door": lambda: draw.opening_door(ANGLES, yours=TURNS),
+    "order_matters": draw.order_matters,
+    "pixel_shapes": draw.pixel_shapes,
+    "points_on_rays": lambda: draw.points_on_rays(PAIRS),
+    "street_map": lambda: draw.street_map(draw.cameras(), point=draw.CORNER),
+    "sweep": lambda: draw.sweep([PLAN, None], (0, 30)),
+    "taken_from": lambda: draw.taken_from(PLAN, "plan"),
+    "two_conventions": draw.two_conventions,
+    "what_survives": draw.what_survives,
+    "where_is_it": draw.where_is_it,
+    "wire": lambda: draw.wire(SECOND),
+}
+NO_FIGURES = {"CORNER", "FROM_BLENDER", "HINGES", "HOUSE", "K", "SIZE"}
+NO_FIGURES |= {"cameras", "corner_camera", "first_camera"}
+
+
+@pytest.fixture(scope="module", params=FIGURES)
+def figure(request):
+    drawn = FIGURES[request.param]()
+    drawn.canvas.draw()
+    return drawn
+
+
+def lines(figure, role):
+    """Return the data of the lines that have the colour of a role."""
+    found = [line for ax in figure.axes for line in ax.lines if line.get_color() == ROLES[role]]
+    return [np.asarray(line.get_xydata()) for line in found]
+
+
+def test_every_function_is_tried_here():
+    assert set(FIGURES) | NO_FIGURES == set(draw.__all__)
+
+
+def test_is_shown_once_and_has_a_text_alternative(figure):
+    assert not plt.get_fignums()
+    assert len(figure.description) > 40
+    assert figure.description.endswith(".")
+
+
+def test_axes_with_numbers_have_labels_with_units(figure):
+    for ax in figure.axes:
+        if ax.axison and len(ax.get_xticks()):
+            for label in (ax.get_xlabel(), ax.get_ylabel()):
+                assert re.search(r"\((px|mm|m|no unit)\)", label), f"{label!r} has no unit"
+
+
+def test_no_text_runs_out_of_the_figure(figure):
+    frame = figure.bbox
+    for text in (text for ax in figure.axes for text in ax.texts if text.get_text()):
+        box = text.get_window_extent()
+        assert frame.x0 <= box.x0 < box.x1 <= frame.x1, text.get_text()
+        assert frame.y0 <= box.y0 < box.y1 <= frame.y1, text.get_text()
+
+
+def test_no_two_texts_overlap(figure):
+    for ax in figure.axes:
+        boxes = [(t.get_text(), t.get_window_extent()) for t in ax.texts if t.get_text()]
+        for k, (first, box) in enumerate(boxes):
+            for second, other in boxes[k + 1 :]:
+                assert not box.overlaps(other), f"{first!r} and {second!r}"
+
+
+def test_text_is_dark_enough_to_read(figure):
+    for ax in figure.axes:
+        for text in ax.texts:
+            red, green, blue = to_rgb(text.get_color())
+            assert 0.2126 * red + 0.7152 * green + 0.0722 * blue < 0.55, text.get_text()
+
+
+@pytest.mark.parametrize("yours", [None, "left", [1, 2], np.full((3, 3), np.nan), {}])
+def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
+    draw.points_on_rays(PAIRS, yours=yours).canvas.draw()
+    draw.opening_door(ANGLES, yours=[yours] * 3).canvas.draw()
+    draw.taken_from(yours).canvas.draw()
+    draw.taken_from((yours, yours)).canvas.draw()
+    draw.wire(SECOND, yours=yours).canvas.draw()
+    draw.columns_of(yours, draw.corner_camera()).canvas.draw()
+    draw.one_ray((622, 94), draw.first_camera(), SECOND, yours=yours).canvas.draw()
+    draw.street_map(draw.cameras(), centres=[yours] * 3, point=yours).canvas.draw()
+
+
+def test_a_mirrored_camera_takes_no_picture():
+    words = [
+        t.get_text() for t in draw.taken_from((np.diag([1, 1, -1]), np.zeros(3))).axes[0].texts
+    ]
+    assert words == ["not a pose (R must be a rotation)"]
+
+
+# What they show
+
+
+def test_rays_cut_the_line_where_the_points_are():
+    found = lines(draw.points_on_rays(PAIRS, yours=homogeneous.from_homogeneous(PAIRS)), "second")
+    np.testing.assert_allclose(found[-1], [[1.5, 1], [1.5, 1], [-2, 1], [4, 1]])
+    for (x, w), ray in zip(PAIRS, lines(draw.points_on_rays(PAIRS), "ray"), strict=True):
+        assert ray[1, 0] * w == pytest.approx(ray[1, 1] * x)
+
+
+def test_each_kind_of_transformation_is_what_it_is_called():
+    euclidean, similar, affine, projected = projective.KINDS.values()
+    np.testing.assert_allclose(euclidean[:2, :2] @ euclidean[:2, :2].T, np.eye(2), atol=1e-3)
+    product = similar[:2, :2] @ similar[:2, :2].T
+    np.testing.assert_allclose(product, product[0, 0] * np.eye(2), atol=1e-12)
+    assert product[0, 0] < 0.6
+    assert affine[2].tolist() == [0, 0, 1]
+    assert abs(affine[0, 0] - affine[1, 1]) > 0.1
+    assert (projected[2, :2] > 0).all()
+
+
+def test_both_orders_end_where_the_text_says():
+    left, right = draw.order_matters(60, 2).axes
+    ends = [[tuple(np.round(line.get_xydata()[0], 2)) for line in ax.lines] for ax in (left, right)]
+    assert ends[0][-1] == (2.0, 0.0)
+    assert ends[1][-1] == (1.0, 1.73)
+
+
+def test_one_matrix_turns_up_on_one_page_and_down_on_the_other():
+    tips = [
+        line.get_xydata()[1]
+        for ax in draw.clockwise(30).axes
+        for line in ax.lines
+        if line.get_color() == ROLES["object"]
+    ]
+    np.testing.assert_allclose(tips, [[np.cos(np.pi / 6), 0.5], [np.cos(np.pi / 6), -0.5]])
+
+
+def test_in_gimbal_lock_two_rings_lie_in_one_plane():
+    level, locked = draw.gimbal_lock((20, 90)).axes
+    pans, rolls = ([np.asarray(ax.lines[k].get_xydata()) for ax in (level, locked)] for k in (0, 2))
+    # The roll's ring has 0.72 of the radius: in lock it lies inside of the pan's ring.
+    for ax, inside in ((0, False), (1, True)):
+        middle = pans[ax].mean(axis=0)
+        heights = [np.ptp(ring[ax][:, 1]) for ring in (pans, rolls)]
+        assert (heights[1] < heights[0]) == inside
+        assert np.abs(rolls[ax].mean(axis=0) - middle).max() < 12
+
+
+def test_the_door_hangs_on_its_hinges_and_is_turned_by_the_students_matrices():
+    np.testing.assert_allclose(np.cross(moves.DOOR[1], draw.HINGES), 0, atol=1e-12)
+    drawn = lines(draw.opening_door(ANGLES, yours=TURNS), "second")
+    view = onlooker((3.4, -4.6, 2.4), (0.0, 0.0, 0.45), 1250)
+    for door, turn in zip(drawn, TURNS, strict=True):
+        np.testing.assert_allclose(door[:5], view.project(moves.DOOR @ turn.T))
+
+
+def test_the_plan_is_one_rigid_placement_and_sees_the_house():
+    axes = site.FROM_BLENDER[:3, :3]
+    np.testing.assert_allclose(axes.T @ axes, np.eye(3), atol=1e-15)
+    inside = SECOND.project(draw.HOUSE[:4])
+    assert ((inside > 0) & (inside < draw.SIZE)).all()
+
+
+def test_the_house_stands_where_its_corners_are():
+    patches = np.concatenate([p.corners for p in site.renderer().scene.patches])
+    for corner in draw.HOUSE:
+        assert np.linalg.norm(patches - corner, axis=1).min() < 0.05, corner
+
+
+def test_the_wire_is_the_students():
+    pixels = SECOND.project(draw.HOUSE)
+    assert not lines(draw.wire(SECOND), "second")
+    drawn = lines(draw.wire(SECOND, yours=pixels + 3), "second")
+    np.testing.assert_allclose(drawn[0], pixels[[0, 1]] + 3)
+    assert len(drawn) == 13  # twelve edges and the legend
+
+
+def test_columns_are_drawn_at_the_vanishing_points():
+    camera = draw.corner_camera()
+    figure = draw.columns_of(camera.P, camera)
+    found = {role: lines(figure, role)[0] for role in ("camera", "image", "object")}
+    far = camera.project([[1e7, 0, 0], [0, 1e7, 0]])
+    np.testing.assert_allclose([found["camera"][1], found["image"][1]], far, atol=0.01)
+    for line in found.values():
+        np.testing.assert_allclose(line[0], camera.project((0, 0, 0)))
+
+
+def test_the_ray_is_seen_by_the_second_camera():
+    first = draw.first_camera()
+    pixel = first.project(draw.CORNER)
+    ray = first.centre, first.pixel_ray(pixel)
+    way = np.linalg.norm(draw.CORNER - first.centre)
+    figure = draw.one_ray(pixel, first, SECOND, yours=ray, distances=(way / 2, way))
+    (drawn,) = lines(figure, "second")
+    np.testing.assert_allclose(drawn[1], SECOND.project(draw.CORNER), atol=1e-9)
+
+
+def test_the_map_marks_what_the_student_gave():
+    (stars,) = lines(draw.street_map(draw.cameras(), centres=[(1, 20, 3)] * 3), "second")
+    assert stars.tolist() == [[1, 20]] * 3
+    (star,) = lines(draw.street_map(draw.cameras(), point=(2, 30, 3)), "second")
+    assert star.tolist() == [[2, 30]]
+
+
+def test_the_fan_on_the_map_is_as_wide_as_the_lens_sees():
+    camera = draw.first_camera()
+    fan = next(x for x in lines(draw.street_map([camera]), "camera") if len(x) == 3)
+    sides = (fan[[0, 2]] - fan[1]) / 12
+    np.testing.assert_allclose(np.linalg.norm(sides, axis=1), 1)
+    edges = camera.pixel_ray([[-0.5, 239.5], [719.5, 239.5]])[:, :2]
+    np.testing.assert_allclose(sorted(sides.tolist()), sorted(edges.tolist()), atol=1e-9)
+
+
+def test_slanted_pixels_slant_the_picture_the_other_way():
+    figure = draw.pixel_shapes(aspect=0.7, skew=0.35)
+    circles = [ax.lines[-1].get_xydata() for ax in figure.axes]
+    for circle in circles[:3]:
+        np.testing.assert_allclose(np.linalg.norm(circle, axis=1), 1.4)
+    assert np.ptp(circles[4][:, 1]) == pytest.approx(0.7 * np.ptp(circles[3][:, 1]))
+    np.testing.assert_allclose(circles[5], circles[3] @ [[1, 0], [0.35, 1]])
+
+
+def test_the_other_convention_differs_by_half_a_turn_about_x():
+    ours, theirs = (
+        {t.get_text(): t.get_position() for t in ax.texts} for ax in draw.two_conventions().axes
+    )
+    assert ours["$x$"] == theirs["$x$"]
+    for name in ("$y$", "$z$"):
+        assert ours[name] != theirs[name]
+    assert ours["$y$"][1] > theirs["$y$"][1]  # v counts downwards

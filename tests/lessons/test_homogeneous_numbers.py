@@ -1,0 +1,204 @@
+"""The numbers that the text of chapter 02 states are those that the library computes."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from course_lib import camera, homogeneous, transforms
+from course_lib.camera import Camera
+from course_lib.drawing import homogeneous as draw
+from course_lib.drawing.explorers.join_meet import join_meet_frame
+from course_lib.drawing.explorers.whole_camera import FIRST, whole_camera, whole_camera_frame
+from course_lib.widgets.homogeneous import join_meet_explorer, whole_camera_explorer
+
+TEXT = (Path(__file__).parents[2] / "lessons" / "02_homogeneous.md").read_text(encoding="utf-8")
+SECOND = Camera(draw.K, *transforms.cv_from_graphics_camera(draw.FROM_BLENDER), draw.SIZE)
+
+
+def says(*parts):
+    """Assert that the lesson's text contains each part; return nothing."""
+    for part in parts:
+        assert part in TEXT, f"the lesson does not say {part!r}"
+
+
+def rounded(values, digits):
+    return (np.round(values, digits) + 0.0).tolist()
+
+
+def test_one_number_more():
+    assert homogeneous.from_homogeneous([6, 8, 2]).tolist() == [3, 4]
+    shift = np.array([[1, 0, 10], [0, 1, 20], [0, 0, 1]])
+    moved = homogeneous.to_homogeneous([[0.0, 0.0], [1.0, 2.0]]) @ shift.T
+    assert moved.tolist() == [[10, 20, 1], [11, 22, 1]]
+    away = [homogeneous.from_homogeneous([2, w])[0] for w in (1, 0.1, 0.01)]
+    np.testing.assert_allclose(away, [2, 20, 200])
+    says("$(10, 20, 1)$ and $(11, 22, 1)$", "They mean 2, 20, 200")
+
+
+def test_join_and_meet():
+    assert np.cross([0, 1, 1], [2, 2, 1]).tolist() == [-1, 2, -2]
+    point = homogeneous.meet([1, -2, 2], [1, 1, -4])
+    assert point.tolist() == [6, 6, 3]
+    says("(-1, 2, -2)", "(6, 6, 3)", r"\sim (2, 2)")
+
+
+def test_the_explorer_shows_where_the_point_runs():
+    where = {r: join_meet_frame(0.3, 0.7, r, -0.7).readouts[3].value for r in (0.2, 0.3, 0.4)}
+    assert where[0.2].startswith("(-14.00,")
+    assert where[0.3] == "at infinity, direction (1.4, 0.42)"
+    assert where[0.4].startswith("(14.00,")
+    assert join_meet_explorer().state == {"p": 0.3, "q": 0.7, "r": -0.4, "s": -0.7}
+    says("at $r = 0.2$ it is at $x = -14$", "at $x = 14$", "slopes 0.3 and $-0.4$")
+
+
+def test_boards_meet_where_chapter_01_found():
+    edges = [[(527, 11.5), (709.5, 13)], [(559.5, 168.5), (693, 176)]]
+    lines = [homogeneous.line_through(*homogeneous.to_homogeneous(edge)) for edge in edges]
+    pixel = homogeneous.from_homogeneous(homogeneous.meet(*lines))
+    assert rounded(pixel, 0) == [-2708, -15]
+    says("$(-2708, -15)$", *(f"{tuple(edge[0])}, {tuple(edge[1])}" for edge in edges))
+
+
+def test_cross_ratio_of_equal_steps():
+    steps = np.array([[0.0, 1], [1, 1], [2, 1], [3, 1]])
+    seen = homogeneous.map_points(steps, [[0.8, 0.1, 5], [0.05, 0.7, 2], [0.02, 0.04, 1]])
+    assert np.ptp(np.linalg.norm(np.diff(seen, axis=0), axis=1)) > 0.04
+    for points in (steps, seen):
+        assert homogeneous.cross_ratio(points) == pytest.approx(4 / 3)
+    says("= 4/3$")
+
+
+def test_moves():
+    foot = transforms.rotation_z(np.radians(60)) @ [2, 0, 0]
+    assert rounded(foot[:2], 2) == [1, 1.73]
+    assert rounded(transforms.rotation_z(np.radians(30)) @ [1, 0, 0], 2) == [0.87, 0.5, 0]
+    says("$(1, 1.73)$ on the right", "to $(0.87, 0.5)$")
+
+
+def test_rotations():
+    one = transforms.rotation_from_euler(np.radians([30, 90, 0]), "zyx")
+    other = transforms.rotation_from_euler(np.radians([0, 90, -30]), "zyx")
+    np.testing.assert_allclose(one, other, atol=1e-12)
+    turn = transforms.rotation_about_axis((1, 1, 1), np.radians(120))
+    np.testing.assert_allclose(turn, np.roll(np.eye(3), 1, axis=0), atol=1e-12)
+    np.testing.assert_allclose(transforms.quaternion_from_rotation(turn), [0.5] * 4)
+    says("Yaw 30° and roll 0° give the same matrix as yaw 0° and roll −30°", "(0.5, 0.5, 0.5, 0.5)")
+
+
+def test_where_the_second_camera_is():
+    assert rounded(SECOND.t, 2) == [-12.84, 7.79, -1.35]
+    assert rounded(SECOND.centre, 2) == [4.92, 12.36, 7.10]
+    assert np.linalg.norm(SECOND.t) == pytest.approx(15.1, abs=0.05)
+    assert np.linalg.norm(SECOND.centre) == pytest.approx(np.linalg.norm(SECOND.t))
+    measured = SECOND.R @ draw.CORNER + SECOND.t
+    assert rounded(measured, 3) == [3.600, -3.156, 16.892]
+    says(r"(-12.84,\, 7.79,\, -1.35)", r"(4.92,\, 12.36,\, 7.10)", "15.1 m")
+    says("np.array([3.600, -3.156, 16.892])")
+
+
+def test_the_file_read_wrongly_looks_elsewhere():
+    placed = transforms.pose_from_placement(draw.FROM_BLENDER[:3, :3], draw.FROM_BLENDER[:3, 3])
+    np.testing.assert_allclose(placed[0][2], -SECOND.R[2])  # backwards
+    np.testing.assert_allclose(placed[0][1], -SECOND.R[1])  # upside down
+    assert placed[0][1] @ (0, 0, 1) > 0.9  # its y axis, down in the picture, is up in the world
+
+
+def test_intrinsics_of_the_example():
+    assert pytest.approx(draw.K[0, 0]) == 35 / 0.05
+    assert pytest.approx(20) == 1 / 0.05
+    says("$s_x = 20$ px/mm", "$f_x = 700$ px")
+
+
+def test_answers_to_the_questions_on_the_whole_camera():
+    assert len(whole_camera_explorer().state) == 11 == len(FIRST)
+    moved = whole_camera(**FIRST | {"x": 2, "y": 1, "z": 3}).P - whole_camera(**FIRST).P
+    assert (np.abs(moved[:, :3]) < 1e-12).all()
+    west = [whole_camera(**FIRST | {"pan": 90, "y": y}).t for y in (-3.5, 2.0)]
+    change = np.abs(west[1] - west[0]) > 1e-9
+    assert change.tolist() == [True, False, False]
+    readings = {r.label: r.value for r in whole_camera_frame(**FIRST | {"pan": 180}).readouts}
+    assert float(readings["Lamp times P"].strip("()").split(",")[2]) < 0
+    says("exactly eleven sliders", "the first number of $\\mathbf t$ changes")
+
+
+def test_columns():
+    P = draw.corner_camera().P
+    assert rounded(P[:2, 0], 1) == [514.5, 26.8]
+    assert rounded(P[2, 0], 2) == 0.58
+    assert rounded(P[:2, 0] / P[2, 0], 0) == [887, 46]
+    assert draw.corner_camera().K[0, 0] == 400
+    says(r"$(514.5,\, 26.8,\, 0.58)$", "$(887, 46)$", "$f = 400$ px")
+
+
+def test_published_example_of_a_decomposition():
+    numbers = re.search(r"^P = (\[\[.*?\]\])", TEXT, re.MULTILINE | re.DOTALL)[1]
+    P = [[float(x) for x in row.split(",")] for row in re.findall(r"\[([^\[\]]+)\]", numbers)]
+    K, _, C = camera.decompose_projection(P)
+    assert rounded(K, 1) == [[468.2, 91.2, 300], [0, 427.2, 200], [0, 0, 1]]
+    assert rounded(C, 0) == [1000, 2000, 1500]
+    says("468.2 px and 427.2 px, the skew is 91.2 px", "$(1000, 2000, 1500)$")
+
+
+def test_angles_of_photogrammetry():
+    angles = np.degrees(transforms.omega_phi_kappa_from_rotation(SECOND.R))
+    assert rounded(angles, 1) == [64.1, 50.2, 20.5]
+    down = transforms.rotation_from_omega_phi_kappa(0, 0, 0)
+    assert (down @ (0, 0, -1)).tolist() == [0, 0, 1]  # the ground is ahead
+    assert (down @ (0, 1, 0)).tolist() == [0, -1, 0]  # north is up in the picture
+    says("ω = 64.1°, φ = 50.2°, κ = 20.5°")
+
+
+def test_gimbal_moves_the_hole():
+    ahead, left = (
+        camera.camera_centre(*transforms.gimbal_pose(pan, 0, (0, 0, 3), (0, -0.1, 0.2)))
+        for pan in (0, np.pi / 2)
+    )
+    assert rounded(ahead, 9) == [0, 0.2, 3.1]
+    assert rounded(left, 9) == [-0.2, 0, 3.1]
+    assert np.linalg.norm(ahead - left) == pytest.approx(0.28, abs=0.005)
+    says("$(0, 0.2, 3.1)$ and at $(-0.2, 0, 3.1)$", "by 0.28 m")
+
+
+def test_gimbal_is_the_product_that_the_text_writes():
+    pan, tilt, mount, offset = 0.4, -0.3, (1, 2, 3), (0.1, -0.2, 0.3)
+    rest = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]]).T  # x, y, z at rest as columns
+    product = (
+        transforms.rigid_matrix(t=mount)
+        @ transforms.rigid_matrix(transforms.rotation_z(pan))
+        @ transforms.rigid_matrix(transforms.rotation_x(tilt))
+        @ transforms.rigid_matrix(rest)
+        @ transforms.rigid_matrix(t=offset)
+    )
+    R, t = transforms.gimbal_pose(pan, tilt, mount, offset)
+    np.testing.assert_allclose(transforms.rigid_matrix(R, t) @ product, np.eye(4), atol=1e-12)
+    says(r"$x \to (1, 0, 0)$, $y \to (0, 0, -1)$, $z \to (0, 1, 0)$")
+
+
+def test_measuring_with_one_picture():
+    pixels = SECOND.project(draw.HOUSE[:2])
+    assert rounded(pixels, 0) == [[169, 427], [496, 317]]
+    C, d = camera.pixel_ray(rounded(pixels, 0), SECOND.K, SECOND.R, SECOND.t)
+    along = -C[2] / d[:, 2:]
+    ground = C + along * d
+    assert rounded(np.linalg.norm(ground[1] - ground[0]), 2) == 8.97
+    assert rounded(along[1, 0], 1) == 18.8
+    assert np.linalg.norm(draw.HOUSE[1] - draw.HOUSE[0]) == 9
+    says(
+        "9.00 m wide, and whole pixels give 8.97 m", "18.8 m away", "(169.0, 427.0), (496.0, 317.0)"
+    )
+
+
+def test_back_to_the_street():
+    first = draw.first_camera()
+    pixels = [rounded(view.project(draw.CORNER), 1) for view in (first, SECOND)]
+    assert pixels == [[622.0, 93.7], [508.7, 108.7]]
+    sizes = [1000 * (v.R @ draw.CORNER + v.t)[2] / v.K[0, 0] for v in (first, SECOND)]
+    assert rounded(sizes, 1) == [17.1, 24.1]
+    assert rounded(np.multiply(sizes, 720 / 6000), 1) == [2.1, 2.9]
+    assert rounded(np.linalg.norm(first.centre - SECOND.centre), 2) == 9.62
+    assert first.centre[0] - draw.HOUSE[0, 0] == pytest.approx(12)
+    says(
+        "$(622.0, 93.7)$", "$(508.7, 108.7)$", "17.1 mm and 24.1 mm", "2.1 mm and 2.9 mm", "9.62 m"
+    )
