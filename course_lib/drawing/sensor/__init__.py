@@ -35,7 +35,7 @@ from course_lib.drawing.sensor.lighting import (
     stripe_geometry,
     three_lights,
 )
-from course_lib.drawing.sensor.mosaics import label_and_nut, mosaic_and_back
+from course_lib.drawing.sensor.mosaics import computed_raw, label_and_nut, mosaic_and_back
 from course_lib.drawing.sensor.noise import (
     photon_patches,
     photon_transfer,
@@ -73,6 +73,7 @@ __all__ = [
     "colour_fringes",
     "colour_spaces",
     "colour_strategies",
+    "computed_raw",
     "corrected_afterwards",
     "development",
     "dimmed_belt",

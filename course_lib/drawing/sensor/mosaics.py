@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from course_lib.camera import Camera
 from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
+from course_lib.drawing.explorers.street import renderer, upright_camera
 from course_lib.drawing.sensor.screen import picture, shown
 from course_lib.drawing.style import FULL_WIDTH, GREY
-from course_lib.sensor import bayer_masks
+from course_lib.sensor import SensorModel, bayer_masks, bayer_mosaic, expose, srgb_decode
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,6 +24,25 @@ def label_and_nut() -> Floats:
     from data_generators.belt import belt
 
     return np.asarray(np.clip(belt()[12:108:2, 184:312:2].astype(float), 0, 1))
+
+
+def computed_raw() -> NDArray[np.uint16]:
+    """Return a raw picture of the street, for those who cannot download a real one.
+
+    Returns
+    -------
+    ndarray, shape (512, 768), uint16
+        RGGB, 600 for no light and 15520 for white, red and blue weaker than green as in the real
+        one; with noise.
+    """
+    camera = upright_camera((0.5, -3.5, 1.65), 28, (36, 24))
+    size = (768, 512)
+    K = camera.K * np.array([[1.6], [1.6], [1]])
+    light = srgb_decode(renderer().picture(Camera(K, camera.R, camera.t, size)) / 255)
+    sensor = SensorModel(full_well=40_000, gain=0.373, offset=600, bits=14)
+    filtered = light / np.array([1.949, 1.0, 1.344])
+    photons = bayer_mosaic(filtered).astype(float) * 40_000 / sensor.quantum_efficiency
+    return expose(photons, sensor, np.random.default_rng(9)).astype(np.uint16)
 
 
 @figure
