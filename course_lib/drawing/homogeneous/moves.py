@@ -155,7 +155,7 @@ def opening_door(angles: ArrayLike, yours: Sequence[ArrayLike | None] = ()) -> F
     return fig
 
 
-_RING: dict[str, Any] = {"mec": BLACK, "ms": 11, "mew": 1.5}
+_RING: dict[str, Any] = {"color": BLACK, "ms": 11, "mew": 1.5}
 
 
 def _legend(ax: Axes, drawn: bool) -> None:

@@ -46,7 +46,7 @@ def wire(camera: Camera, yours: ArrayLike | None = None) -> Figure:
     ax.imshow(photograph(camera))
     picture_frame(ax, camera.image_size)
     ax.set_autoscale_on(False)
-    circle = {"mec": BLACK, "ms": 12, "mew": 1.5, "ls": "", "clip_on": True}
+    circle = {"color": BLACK, "ms": 12, "mew": 1.5, "ls": "", "clip_on": True}
     ax.plot(*expected.T, "o", mfc="none", label="the course's function", **circle)
     drawn = same_shape(yours, expected)
     if drawn is not None:
@@ -173,7 +173,7 @@ def one_ray(
     axes[0].plot(*np.asarray(pixel, dtype=float), "o", **look)
     steps = np.array(distances)[:, None]
     truth = second.project(first.centre + steps * first.pixel_ray(pixel))
-    axes[1].plot(*truth.T, "o", mfc="none", mec=BLACK, ms=11)
+    axes[1].plot(*truth.T, "o", color=BLACK, mfc="none", ms=11)
     ray = same_shape(yours, np.zeros((2, 3)))
     if ray is not None and np.isfinite(ray).all():
         axes[1].plot(*second.project(ray[0] + steps * ray[1]).T, "*-", color=ROLES["second"], ms=10)
