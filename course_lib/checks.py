@@ -13,6 +13,8 @@ Array = NDArray[np.float64]
 
 #: No measurement is that large, and products of a few numbers below it stay finite.
 LARGEST = 1e75
+#: Vectors that are shorter have no direction: the squares of such numbers get lost.
+SMALLEST = 1 / LARGEST
 
 
 class DegenerateConfigurationError(ValueError):
@@ -146,7 +148,7 @@ def check_rows(value: ArrayLike, name: str, least: int = 1) -> Array:
 def check_directions(value: ArrayLike, name: str) -> Array:
     """Return `value` as directions in rows, shape ``(N, 3)`` or ``(3,)``, none of them zero."""
     array = check_points(value, 3, name)
-    if not array.any(axis=-1).all():
+    if (np.abs(array).max(axis=-1) < SMALLEST).any():
         raise ValueError(f"{name} holds a zero vector, which points nowhere")
     return array
 
@@ -154,7 +156,7 @@ def check_directions(value: ArrayLike, name: str) -> Array:
 def check_direction(value: ArrayLike, name: str, length: int = 3) -> Array:
     """Return `value` as one vector of shape ``(length,)`` that is not zero."""
     array = check_vector(value, length, name)
-    if np.abs(array).max() <= 1 / LARGEST:
+    if np.abs(array).max() < SMALLEST:
         raise ValueError(f"{name} is a zero vector, which points nowhere")
     return array
 
@@ -178,7 +180,7 @@ def check_pixel_focal(value: ArrayLike, name: str) -> Array:
 def check_intrinsics(K: ArrayLike) -> Array:
     """Return `K` as intrinsics: upper triangular, positive focal lengths, 1 in the corner."""
     K = check_matrix(K, (3, 3), "K")
-    if (np.diag(K) <= 0).any() or np.tril(K, -1).any() or K[2, 2] != 1:
+    if (np.diag(K) < SMALLEST).any() or np.tril(K, -1).any() or K[2, 2] != 1:
         raise ValueError(f"K must be [[fx, s, cx], [0, fy, cy], [0, 0, 1]], got {K.tolist()}")
     return K
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.checks import Array, check_vector
+from course_lib.checks import SMALLEST, Array, check_vector
 from course_lib.quaternions import quaternion_from_rotation
 from course_lib.rotations import cross_matrix, rotation_about_axis
 
@@ -46,7 +46,7 @@ def rotation_from_vector(vector: ArrayLike) -> Array:
     """
     vector = check_vector(vector, 3, "vector")
     angle = float(np.linalg.norm(vector))
-    return rotation_about_axis(vector, angle) if angle > 0 else np.eye(3)
+    return rotation_about_axis(vector, angle) if angle > 2 * SMALLEST else np.eye(3)
 
 
 def vector_from_rotation(R: ArrayLike) -> Array:

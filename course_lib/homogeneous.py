@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.checks import (
+    SMALLEST,
     Array,
     DegenerateConfigurationError,
     check_directions,
@@ -67,7 +68,8 @@ def from_homogeneous(points: ArrayLike) -> Array:
     Returns
     -------
     ndarray, shape (N, d) or (d,)
-        The points. A point at infinity, ``w = 0``, has no ordinary coordinates: its row is NaN.
+        The points. A point at infinity, ``w = 0`` (or below 1e-75 in size), has no ordinary
+        coordinates: its row is NaN.
 
     Raises
     ------
@@ -86,7 +88,7 @@ def from_homogeneous(points: ArrayLike) -> Array:
     """
     points = check_rows(points, "points", least=2)
     w = points[..., -1:]
-    return points[..., :-1] / np.where(w != 0, w, np.nan)
+    return points[..., :-1] / np.where(np.abs(w) >= SMALLEST, w, np.nan)
 
 
 def line_through(p: ArrayLike, q: ArrayLike) -> Array:

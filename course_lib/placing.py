@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.checks import (
+    SMALLEST,
     Array,
     DegenerateConfigurationError,
     check_rotation,
@@ -123,11 +124,11 @@ def look_at(eye: ArrayLike, target: ArrayLike, up: ArrayLike = (0, 0, 1)) -> tup
         check_vector(v, 3, name) for v, name in ((eye, "eye"), (target, "target"), (up, "up"))
     )
     distance = np.linalg.norm(target - eye)
-    if distance == 0:
+    if distance < SMALLEST:
         raise DegenerateConfigurationError("eye and target coincide: move one of them")
     forward = (target - eye) / distance
     right = np.cross(forward, up)
-    if np.linalg.norm(right) <= 1e-9 * np.linalg.norm(up):
+    if np.linalg.norm(right) <= 1e-9 * np.linalg.norm(up) + SMALLEST:
         raise DegenerateConfigurationError(
             "the camera looks along up, so its roll is undetermined: choose another up"
         )

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.checks import (
+    SMALLEST,
     Array,
     DegenerateConfigurationError,
     check_intrinsics,
@@ -93,7 +94,7 @@ def project(points: ArrayLike, P: ArrayLike) -> Array:
            [nan, nan]])
     """
     points, P = check_points(points, 3, "points"), check_finite_camera(P)
-    P = np.sign(np.linalg.det(P[:, :3])) * P  # of P and -P, the one with positive depths in front
+    P = np.asarray(np.sign(np.linalg.det(P[:, :3])) * P)  # so that depths in front are positive
     # One row for each coordinate of all points: whole rows are quick to divide.
     x = P[:, :3] @ points.reshape(-1, 3).T
     x += P[:, 3:]
@@ -203,7 +204,7 @@ def check_finite_camera(P: ArrayLike) -> Array:
     Returns
     -------
     ndarray, shape (3, 4)
-        The same numbers in `float64`.
+        The same camera, scaled so that the largest number is about 1.
 
     Raises
     ------
@@ -217,9 +218,11 @@ def check_finite_camera(P: ArrayLike) -> Array:
     Hartley & Zisserman, Multiple View Geometry, 2nd ed., section 6.2.3.
     """
     P = check_matrix(P, (3, 4), "P")
+    # By a power of two, so that no digit changes.
+    P = np.asarray(np.ldexp(P, -np.frexp(np.abs(P).max())[1]))
     lengths = np.linalg.norm(P[:, :3], axis=1, keepdims=True)
     # The determinant of unit rows: 1 where they are perpendicular, 0 where they lie in a plane.
-    spread = np.linalg.det(P[:, :3] / lengths) if lengths.all() else 0.0
+    spread = np.linalg.det(P[:, :3] / lengths) if lengths.min() > SMALLEST else 0.0
     if abs(spread) < 1e-12:
         raise DegenerateConfigurationError(
             "the left 3 × 3 block of P is singular, so the camera's centre is at infinity: "
