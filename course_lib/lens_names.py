@@ -11,6 +11,8 @@ import re
 def parse_lens_name(name: str) -> dict[str, tuple[float, float]]:
     """Return the focal lengths and the f-numbers that a lens's name tells.
 
+    A name that lacks one of the two raises a `ValueError`.
+
     Parameters
     ----------
     name : str

@@ -26,6 +26,7 @@ from course_lib.judging.exercise import (
     Known,
     Misconception,
     Part,
+    Raises,
     ValuesExercise,
 )
 from course_lib.judging.limits import Limits
@@ -46,6 +47,7 @@ __all__ = [
     "Misconception",
     "Part",
     "PartVerdict",
+    "Raises",
     "RaySet",
     "RotationClose",
     "UpToScale",

@@ -21,6 +21,13 @@ class Known:
     truth: Any
 
 
+@dataclass(frozen=True)
+class Raises:
+    """The truth of inputs that have no answer: the exception with which to refuse them."""
+
+    error: str
+
+
 Draw = Callable[[Generator], Inputs | Known]
 
 

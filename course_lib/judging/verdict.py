@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from course_lib.judging.advice import advice
 from course_lib.judging.answering import Answer
-from course_lib.judging.exercise import Case, Exercise
+from course_lib.judging.exercise import Case, Exercise, Raises
 from course_lib.judging.matching import find_misconceptions
 
 Kind = Literal[
@@ -132,6 +132,8 @@ def _part_verdict(
 
 
 def _judge_case(exercise: Exercise, case: Case, given: Answer, reveal: bool) -> Feedback:
+    if isinstance(case.truth, Raises) and given.status in ("value", "raised"):
+        return _judge_refusal(case, given, case.truth, reveal)
     if given.status != "value" or (given.value is None and exercise.none_is_untouched):
         return Feedback(_KINDS[given.status], _sentence(given, reveal), case)
     expected = expected_answer(exercise, case)
@@ -140,6 +142,16 @@ def _judge_case(exercise: Exercise, case: Case, given: Answer, reveal: bool) -> 
         return Feedback("right", "Right.", case, given.value, expected)
     shown = expected if exercise.shows_expected else None
     return Feedback(mismatch.kind, mismatch.message, case, given.value, shown)
+
+
+def _judge_refusal(case: Case, given: Answer, truth: Raises, reveal: bool) -> Feedback:
+    """Judge an answer to inputs that have none: only the right exception is right."""
+    wanted = f"There is no answer here: the function should raise a {truth.error}."
+    if given.status == "value":
+        return Feedback("values", wanted, case, given.value)
+    if given.error == truth.error:
+        return Feedback("right", "Right.", case)
+    return Feedback("raised", f"{wanted} {_sentence(given, reveal)}", case)
 
 
 _KINDS: dict[str, Kind] = {

@@ -10,7 +10,16 @@ import pytest
 from second_solutions import second_solutions
 
 from course_lib.exercises import CHAPTERS, all_exercises
-from course_lib.judging import Answer, Exercise, Explain, ValuesExercise, answer, judge, pose
+from course_lib.judging import (
+    Answer,
+    Exercise,
+    Explain,
+    Raises,
+    ValuesExercise,
+    answer,
+    judge,
+    pose,
+)
 from course_lib.judging.verdict import expected_answer
 
 SEEDS = range(50)
@@ -50,7 +59,10 @@ def test_reference_earns_all_points(exercise):
 def test_reference_agrees_with_truth_by_construction(exercise):
     for seed in SEEDS:
         for case in pose(exercise, seed):
-            if case.known:
+            if isinstance(case.truth, Raises):
+                (given,) = answer(exercise, exercise.reference, [case])
+                assert (given.status, given.error) == ("raised", case.truth.error)
+            elif case.known:
                 reference = exercise.as_answer(exercise.reference, case)
                 assert exercise.compare(reference, case.truth) is None
 
@@ -94,6 +106,8 @@ def like(value, fill):
         return {key: like(entry, fill) for key, entry in value.items()}
     if isinstance(value, tuple):
         return tuple(like(entry, fill) for entry in value)
+    if isinstance(value, Raises):
+        return fill
     if np.asarray(value).dtype == bool:
         return np.full_like(value, bool(fill))
     return np.full_like(np.asarray(value, dtype=float), fill)

@@ -147,13 +147,14 @@ LENS_SYSTEM = Exercise(
 PARSE_LENS_NAME = Exercise(
     "lenses",
     optics.parse_lens_name,
-    points=5,
+    points=6,
     parts={
         "a prime lens": inputs.prime,
         "a zoom": inputs.zoom,
         "a zoom with one f-number": inputs.zoom_of_one_aperture,
         "an f-number written as a ratio": inputs.ratio_notation,
         "an f-number after a capital letter": inputs.capital_letter,
+        "a name that lacks one of the two": inputs.no_lens_name,
     },
     misconceptions=[
         Misconception(
@@ -176,6 +177,10 @@ PARSE_LENS_NAME = Exercise(
         Misconception(
             wrong.texts_for_numbers,
             "Can one compute with your answer? What makes a number of the text '50'?",
+        ),
+        Misconception(
+            wrong.answers_anything,
+            "None goes on, and fails somewhere else. What should a name that tells nothing give?",
         ),
         Misconception(
             wrong.every_lens_a_zoom,

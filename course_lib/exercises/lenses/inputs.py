@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.random import Generator
 
-from course_lib.judging import Known
+from course_lib.judging import Known, Raises
 
 Inputs = dict[str, Any]
 
@@ -268,3 +268,11 @@ def ratio_notation(rng: Generator) -> Known:
 def capital_letter(rng: Generator) -> Known:
     f, N = rng.choice(PRIMES), rng.choice(PRIME_STOPS)
     return named(rng, (f, f), (N, N), "{maker} {f} mm F{N}{end}")
+
+
+def no_lens_name(rng: Generator) -> Known:
+    """Write a name that lacks the focal length or the f-number."""
+    lens = prime(rng).inputs["name"]
+    focal, rest = lens.split("mm", 1)
+    lacking = (focal + "mm", focal.rpartition(" ")[0] + rest, "a box for " + focal + " lenses")
+    return Known({"name": str(rng.choice(lacking))}, Raises("ValueError"))

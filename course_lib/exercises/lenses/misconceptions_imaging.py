@@ -181,3 +181,14 @@ def every_lens_a_zoom(name):
         "focal_length": (float(focal[1]), float(focal[2])),
         "f_number": pair_of([text for text in stops.groups() if text]),
     }
+
+
+def answers_anything(name):
+    focal = found(r"([\d.]+)(?:-([\d.]+))?\s*mm", name)
+    stops = found(r"(?:[fF]/?|1:)([\d.]+)(?:-([\d.]+))?", name)
+    if not focal or not stops:
+        return None
+    return {
+        "focal_length": pair_of([text for text in focal.groups() if text]),
+        "f_number": pair_of([text for text in stops.groups() if text]),
+    }

@@ -81,8 +81,10 @@ def lens_system(f1, f2, d):
 
 def parse_lens_name(name):
     """Split at the unit, then look for what stands before it and behind the sign of the stop."""
-    before, after = name.split("mm", 1)
+    before, after = name.split("mm", 1)  # a ValueError if there is no unit
     focal = [float(text) for text in before.split()[-1].split("-")]
-    stop = re.search(r"[0-9.]+(-[0-9.]+)?", after.replace("1:", "", 1))[0]
-    stops = [float(text) for text in stop.split("-")]
+    stop = re.findall(r"(?:f/|F|1:)([0-9.]+)(-[0-9.]+)?", after)
+    if not stop:
+        raise ValueError(name)
+    stops = [float(text) for text in "".join(stop[0]).split("-")]
     return {"f_number": [stops[0], stops[-1]], "focal_length": (min(focal), max(focal))}
