@@ -85,9 +85,7 @@ class Shot:
         if self.sensor is None:
             return numbers(irradiance)
         if rng is None:
-            raise TypeError(
-                "a sensor has noise: give photograph an rng, numpy.random.default_rng()"
-            )
+            raise TypeError("a sensor has noise: give an rng, such as numpy.random.default_rng(1)")
         time = self.shutter.exposure_time if self.shutter else 0.0
         return expose(irradiance * self.white, self.sensor, rng, time)
 
