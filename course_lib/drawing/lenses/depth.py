@@ -120,7 +120,7 @@ def blur_against_distance(
     write(ax, (Z[-1], c), f"c = {c:.2g} mm ", "guide", ha="right", va="bottom")
     ax.axvspan(near, min(far, Z[-1]), color=ROLES["image"], alpha=0.2, lw=0)
     end = "∞" if np.isinf(far) else f"{far:.0f} mm"
-    top = 1.05 * float(spot[-1])
+    top = max(1.05 * float(spot[-1]), 1.3 * c)
     write(ax, ((near + min(far, Z[-1])) / 2, 0.88 * top), f"{near:.0f} mm\nto {end}", "image")
     drawn = same_shape(yours, np.zeros(2))
     if drawn is not None and np.isfinite(drawn).any():

@@ -175,7 +175,7 @@ def aperture_branches(
     ax.plot(best, N, "o", color=BLACK, ms=8, zorder=4)
     top = 1.1 * float(np.max([need_near, need_far]))
     paper = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
-    write(ax, (best, N + 0.13 * top), f"focus {best:.0f} mm, f/{N:.1f}", bbox=paper)
+    write(ax, (best, N + 0.13 * top), "best focus", bbox=paper)
     middle = (near + far) / 2
     ax.axvline(middle, color=ROLES["guide"], lw=1.2, ls=(0, (6, 4)))
     write(ax, (middle, 0.03 * top), " half-way", "guide", ha="left", va="bottom")

@@ -1,0 +1,251 @@
+import numpy as np
+import pytest
+
+from course_lib import optics
+from course_lib.drawing.explorers import aperture_window as window
+from course_lib.drawing.explorers import depth_of_field as depth
+from course_lib.drawing.explorers import ray_tracer as rays
+from course_lib.drawing.explorers.plot import Plot
+from course_lib.widgets import lenses as widgets
+from data_generators import signs
+
+DEPTH = depth.depth_of_field_frame
+RAYS = rays.ray_tracer_frame
+WINDOW = window.aperture_window_frame
+
+
+def value(frame, label):
+    (reading,) = (r for r in frame.readouts if r.label == label)
+    return float(reading.value.replace("−", "-").replace("∞", "inf"))
+
+
+def texts(picture):
+    return [label.text for label in picture.labels]
+
+
+# Depth of field
+
+
+def sharpness(frame, k, f, pitch, focus):
+    """Return how much the letters of sign k differ from pixel to pixel."""
+    f_px = float(optics.image_distance(f, 1000 * focus)) / (pitch / 1000)
+    middle = (depth.SIZE[0] - 1) / 2 + f_px * signs.DIRECTIONS[k]
+    half = 0.4 * f_px * signs.WIDTH
+    u = slice(round(middle - half), round(middle + half))
+    row = (depth.SIZE[1] - 1) / 2
+    v = slice(round(row - half), round(row + half))
+    grey = frame.pictures[0].image[v, u].mean(axis=2)
+    return np.abs(np.diff(grey, axis=1)).mean() + np.abs(np.diff(grey, axis=0)).mean()
+
+
+@pytest.mark.parametrize("k", range(5))
+def test_the_sign_in_focus_is_the_sharpest(k):
+    focus = signs.DISTANCES[k]
+    frame = DEPTH(50, 1.4, focus, 50)
+    seen = [sharpness(frame, i, 50, 50, focus) for i in range(5)]
+    others = [DEPTH(50, 1.4, Z, 50) for Z in signs.DISTANCES]
+    same_sign = [
+        sharpness(other, k, 50, 50, Z) for other, Z in zip(others, signs.DISTANCES, strict=True)
+    ]
+    assert int(np.argmax(same_sign)) == k
+    assert seen[k] > 1.3 * np.median(seen)
+
+
+def test_stopping_down_sharpens_what_is_out_of_focus():
+    series = [sharpness(DEPTH(50, N, 3.5, 50), 0, 50, 50, 3.5) for N in (1.4, 2.8, 5.6, 11)]
+    assert series == sorted(series)
+    assert series[-1] > 1.5 * series[0]
+
+
+def test_the_limits_are_where_the_blur_is_one_pixel():
+    frame = DEPTH(50, 4, 5, 40)
+    near, far = value(frame, "Near limit"), value(frame, "Far limit")
+    blurs = optics.circle_of_confusion(np.array([near, far]) * 1000, 5000, 50, 4) / 0.040
+    np.testing.assert_allclose(blurs, 1, rtol=0.01)
+    band = next(line for line in frame.pictures[1].lines if line.role == "image")
+    reach = (depth.EYE[1] - np.asarray(band.points)[:, 1]) / depth.MAP_SCALE
+    assert (reach.min(), reach.max()) == (
+        pytest.approx(near, abs=0.006),
+        pytest.approx(far, abs=0.006),
+    )
+
+
+def test_beyond_the_hyperfocal_distance_the_far_limit_is_infinite():
+    frame = DEPTH(50, 8, 7, 50)
+    assert value(frame, "Hyperfocal distance") == 6.3
+    assert value(frame, "Far limit") == np.inf
+    assert "↑ ∞" in texts(frame.pictures[1])
+    assert "to infinity" in frame.pictures[1].alt
+
+
+def test_a_range_beyond_the_map_is_said():
+    assert "↑ sharp beyond the map" in texts(DEPTH(100, 1.4, 60, 20).pictures[1])
+
+
+def test_signs_are_labelled_with_their_blur_and_distance():
+    said = texts(DEPTH(50, 2.8, 3.5, 50).pictures[0])
+    blurs = optics.circle_of_confusion(np.array(signs.DISTANCES) * 1000, 3500, 50, 2.8) / 0.05
+    assert said[::2] == [f"{blur:.1f} px" for blur in blurs]
+    assert said[1::2] == [f"{Z:g} m" for Z in signs.DISTANCES]
+    assert not texts(DEPTH(20, 2.8, 3.5, 75).pictures[0])  # the signs are too small for words
+
+
+def test_the_curve_is_the_circle_of_confusion():
+    frame = DEPTH(35, 2, 4, 30)
+    curve = np.asarray(frame.pictures[2].lines[3].points)
+    assert np.nanmax(curve[:, 1]) == pytest.approx(depth.CURVE.box[3])  # zero at the focus
+    star = float(optics.circle_of_confusion(60_000, 4000, 35, 2)) / 0.030
+    np.testing.assert_allclose(curve[-1], depth.CURVE.pixels(60, star)[0], atol=0.5)
+
+
+def test_the_view_narrows_when_the_lens_focuses_near():
+    near, far = (DEPTH(100, 8, focus, 50).pictures[1].lines[1].points for focus in (1, 60))
+    assert np.ptp(np.asarray(near)[:, 0]) == pytest.approx(
+        np.ptp(np.asarray(far)[:, 0]) * (1 - 100 / 1000) / (1 - 100 / 60_000)
+    )
+
+
+# Rays
+
+
+@pytest.mark.parametrize("second", rays.SECOND)
+def test_drawn_rays_meet_in_the_image(second):
+    frame = RAYS(150, 60, second, 80, 40)
+    image = value(frame, "Image behind the last lens")
+    m = value(frame, "Magnification")
+    last = 0 if second == rays.ONE else 40
+    drawn = [line for line in frame.pictures[0].lines if line.role == "ray" and line.width == 2.0]
+    assert len(drawn) == 3
+    for line in drawn:
+        (u, v), (right, low) = np.asarray(line.points)[-2:]
+        at = rays._pixels([(last + image, rays.HEIGHT * m)])[0]
+        assert v + (low - v) / (right - u) * (at[0] - u) == pytest.approx(at[1], abs=0.4)
+
+
+def test_numbers_of_two_lenses_are_those_of_the_system():
+    frame = RAYS(150, 50, rays.SPREADING, 30, 30)
+    f, front, back = optics.lens_system(50, -30, 30)
+    assert value(frame, "Focal length of the whole") == pytest.approx(f, abs=0.05)
+    assert value(frame, "H behind lens 1") == pytest.approx(front, abs=0.05)
+    assert value(frame, "H′ behind the last lens") == pytest.approx(back, abs=0.05)
+    assert value(frame, "Power of the whole") == pytest.approx(1000 / f, abs=0.05)
+
+
+def test_principal_planes_belong_to_two_lenses():
+    assert not [t for t in texts(RAYS(150, 60, rays.ONE, 30, 30).pictures[0]) if t.startswith("H")]
+    planes = RAYS(150, 50, rays.SPREADING, 30, 30).pictures[0]
+    assert {"H", "H′"} <= set(texts(planes))
+
+
+def test_a_virtual_image_is_dashed_and_named():
+    frame = RAYS(40, 60, rays.ONE, 30, 30)
+    assert value(frame, "Image behind the last lens") == -120
+    assert "virtual image" in texts(frame.pictures[0])
+    assert [line for line in frame.pictures[0].lines if line.dashed and line.role == "ray"]
+
+
+def test_parallel_rays_make_no_image():
+    for frame in (RAYS(60, 60, rays.ONE, 30, 30), RAYS(300, 50, rays.SPREADING, 30, 30)):
+        assert value(frame, "Image behind the last lens") == np.inf
+        assert not [t for t in texts(frame.pictures[0]) if "image" in t]
+
+
+# The window
+
+
+def test_both_blurs_are_equal_at_the_best_aperture():
+    best = window.best_aperture(85, 2, 0.5)
+    blur = window.blur_at_ends(best, 85, 2, 0.5)
+    assert blur.defocus == pytest.approx(blur.airy)
+    totals = [window.blur_at_ends(best * k, 85, 2, 0.5).total for k in (0.9, 1.0, 1.1)]
+    assert int(np.argmin(totals)) == 1
+
+
+def test_both_ends_have_the_same_defocus():
+    blur = window.blur_at_ends(4, 50, 1, 0.7)
+    far = optics.circle_of_confusion(1700, blur.focus, 50, 4)
+    assert blur.defocus == pytest.approx(far)
+
+
+def contrast(frame):
+    return frame.pictures[2].image.astype(float).std()
+
+
+def test_the_letters_are_clearest_near_the_best_aperture():
+    stops = (2, 4, 8, 16, 32)
+    seen = [contrast(WINDOW(N, 85, 2, 0.5, 13.5)) for N in stops]
+    assert stops[int(np.argmax(seen))] == 16
+    assert window.best_aperture(85, 2, 0.5) == pytest.approx(16, rel=0.05)
+
+
+def test_the_image_of_a_point_is_as_wide_as_its_blur():
+    def width(N):
+        light = WINDOW(N, 85, 2, 0.5, 13.5).pictures[1].image[..., 0].astype(float)
+        row = (light[window.SIDE // 2 + 3] / 255) ** 2.2  # beside a line of the grid
+        return np.count_nonzero(row > 0.5) / window.CELL
+
+    defocus = value(WINDOW(4, 85, 2, 0.5, 13.5), "Defocus at the ends")
+    assert width(4) == pytest.approx(defocus, rel=0.15)
+    airy = value(WINDOW(32, 85, 2, 0.5, 13.5), "Airy disk")
+    # The half-maximum of an Airy pattern lies at 0.42 of its dark ring's diameter.
+    assert 0.42 * airy < width(32) < airy
+
+
+def test_curves_run_through_the_marked_point():
+    picture = WINDOW(8, 85, 2, 0.5, 13.5).pictures[0]
+    total, dot = np.asarray(picture.lines[5].points), np.asarray(picture.lines[7].points)
+    middle = dot.mean(axis=0)
+    assert np.nanmin(np.linalg.norm(total - middle, axis=1)) < 2
+
+
+# Axes
+
+
+def test_axes_take_their_ends_to_their_corners_and_leave_the_rest_out():
+    plot = Plot((10, 110, 20, 70), (1, 100), (0, 5), log_x=True)
+    np.testing.assert_allclose(
+        plot.pixels([1, 10, 100], [0, 2.5, 5]), [(10, 70), (60, 45), (110, 20)]
+    )
+    assert np.isnan(plot.pixels([0.5, 10, 10], [1, 6, -1])).all()
+    assert plot.at(10, 2.5, 1, 2) == (61, 47)
+
+
+# All of them
+
+EXPLORERS = {
+    "depth": (widgets.depth_of_field_explorer, {"N": 16.0, "f": 24.0}),
+    "rays": (widgets.ray_tracer_explorer, {"second": rays.SPREADING, "Z": 40}),
+    "window": (widgets.aperture_window_explorer, {"N": 22.0, "pitch": 3.5}),
+}
+
+
+@pytest.mark.parametrize("name", EXPLORERS)
+def test_pictures_and_words_follow_the_state(name):
+    make, state = EXPLORERS[name]
+    explorer = make()
+    one = explorer.frame_now()
+    explorer.set(**state)
+    other = explorer.frame_now()
+    assert one.in_words() != other.in_words()
+    for picture in (*one.pictures, *other.pictures):
+        assert picture.alt.endswith(".")
+    assert one.pictures[0].alt != other.pictures[0].alt
+
+
+@pytest.mark.parametrize("name", EXPLORERS)
+def test_every_corner_of_the_sliders_can_be_drawn(name):
+    explorer = EXPLORERS[name][0]()
+    controls = explorer._controls.values()
+    rng = np.random.default_rng(1)
+    for _ in range(25):
+        explorer.set(**{c.name: pick(c, rng) for c in controls})
+        frame = explorer.frame_now()
+        for picture in frame.pictures:
+            for label in picture.labels:
+                assert np.isfinite(label.at).all(), (explorer.state, label.text)
+
+
+def pick(control, rng):
+    """Return the first, the last or another position of a control."""
+    values = getattr(control, "positions", None) or control.options
+    return values[int(rng.choice([0, -1, rng.integers(len(values))]))]

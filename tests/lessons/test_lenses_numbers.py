@@ -1,0 +1,255 @@
+"""The numbers that the text of chapter 03 states are those that the library computes."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from course_lib import optics
+from course_lib.drawing.explorers.aperture_window import best_aperture
+from course_lib.drawing.explorers.depth_of_field import depth_of_field_frame
+from course_lib.drawing.explorers.ray_tracer import ONE, SPREADING, ray_tracer_frame
+
+TEXT = (Path(__file__).parents[2] / "lessons" / "03_lenses.md").read_text(encoding="utf-8")
+
+PITCH, GREEN = 27.6 / 2048, 0.00055  # mm
+F, NEAR, FAR = 85, 2000, 2500  # the wing, mm
+
+
+def says(*parts):
+    """Assert that the lesson's text contains each part; return nothing."""
+    for part in parts:
+        assert part in TEXT, f"the lesson does not say {part!r}"
+
+
+def about(value, digits):
+    """Return what agrees with a printed number of so many decimals."""
+    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
+
+
+def read(frame, label):
+    (found,) = (r for r in frame.readouts if r.label == label)
+    return float(found.value.replace("−", "-").replace("∞", "inf"))
+
+
+# Published worked numbers
+
+
+def test_working_distance_of_the_lecture():
+    assert optics.object_distance(35.7, 0.05) == about(749.7, 1)
+    says("$m = 0.05$ and $f = 35.7$ mm", "749.7 mm", "the lecture says 750")
+    others = [optics.object_distance(f, 0.05) for f in (8, 16, 75)]
+    assert others == [about(168, 0), about(336, 0), about(1575, 0)]
+    says("168, 336, 749.7 and 1575 mm")
+
+
+def test_magnification_of_the_lecture():
+    assert 4 / 80 == 1 / 20
+    assert optics.pixel_on_object(4 / 100, 4 / 80) == about(0.8, 1)
+    says("m = 4/80 = 1/20", "4 mm/100 = 0.04 mm", "0.04 \\cdot 20 = 0.8$ mm")
+
+
+def test_openings_of_the_lecture():
+    assert optics.f_number(200, 50) == 4
+    assert optics.aperture_diameter(40, 8) == 5
+    says("an opening of 50 mm has $N = 4$", "A 40 mm lens at f/8 has an opening of $40/8 = 5$ mm")
+
+
+def test_close_up_depths_of_the_lectures():
+    small, microscope = optics.closeup_depth_of_field([1 / 20, 100], 16, 0.038)
+    assert small == about(511, 0)
+    assert 1000 * microscope == about(12, 0)
+    says("the depth is 511 mm", "it is 12 µm", "$c = 0.038$ mm")
+    near, far = optics.depth_of_field(35.7, 16, optics.object_distance(35.7, 1 / 20), 0.038)
+    assert far - near == about(578, 0)
+    says("for $f = 35.7$ mm is 578 mm")
+    working = optics.working_f_number(16, 100)
+    assert working == 1616
+    assert optics.airy_diameter(GREEN, working) == about(2.2, 1)
+    says("= 1616$", "over 2.2 mm of the sensor")
+
+
+def test_hyperfocal_limits_of_the_lecture():
+    H = optics.hyperfocal_distance(24, 8, 0.006)
+    assert H == 12024
+    near, far = optics.depth_of_field(24, 8, H, 0.006)
+    assert (near, far) == (pytest.approx(H / 2), np.inf)
+    says(
+        "$H = 12\\,024$ mm", "dropped, since it is small: 12 000 mm", "everything from half of $H$"
+    )
+    meant = [optics.hyperfocal_distance(f, 8, 0.006) / 1000 for f in (12, 24, 50, 85)]
+    assert meant == [about(3.0, 1), about(12.0, 1), about(52.1, 1), about(150.6, 1)]
+    says("3.0, 12.0, 52.1 and 150.6 m")
+
+
+def test_name_of_the_lecture():
+    parts = optics.parse_lens_name("Nikkor 18-140mm 1:3.5-5.6")
+    assert parts == {"focal_length": (18, 140), "f_number": (3.5, 5.6)}
+    says("f/3.5 at 18 mm and to f/5.6 at 140 mm")
+
+
+# Light and images
+
+
+def test_light_of_a_lens():
+    area = (25 / 0.35) ** 2
+    assert area == pytest.approx(5100, rel=0.01)
+    assert area / 10 == pytest.approx(500, rel=0.03)
+    says("= 5100$ times", "now takes 1/500 s")
+    assert optics.stops_between(1.4, 16) == about(7, 0)
+    assert pytest.approx(130, abs=1) == (16 / 1.4) ** 2
+    assert about(5.66, 2) == 2**2.5
+    says("seven stops", "= 128$", "about 130 times", "f/5.66")
+
+
+def test_power():
+    assert optics.optical_power(50) == 20
+    assert optics.optical_power(85) == about(11.8, 1)
+    says("= 20$ dioptres", "only 11.8")
+
+
+def test_image_of_the_lens():
+    s = optics.image_distance(85, 1000)
+    assert s == about(92.9, 1)
+    assert s - 85 == about(7.9, 1)
+    says("$s = 92.9$ mm", "must travel 7.9 mm")
+    assert optics.image_distance(100, 200) == 200
+    assert optics.magnification(100, 200) == 1
+    assert optics.working_f_number(8, 1) == 16
+    focus = optics.aperture_for_depth(F, NEAR, FAR, PITCH)[1]
+    assert optics.magnification(F, focus) == about(0.04, 2)
+    says("200 mm from the object, and 200 mm from the sensor", "works like f/16", "$m = 0.04$")
+
+
+@pytest.mark.parametrize(("Z", "s", "m"), [(120, 120, -1), (65, 780, -12), (40, -120, 3)])
+def test_ray_tracer_shows_what_the_text_says(Z, s, m):
+    frame = ray_tracer_frame(Z, 60, ONE, 30, 30)
+    assert read(frame, "Image behind the last lens") == s
+    assert read(frame, "Magnification") == m
+
+
+def test_ray_tracer_at_the_focal_point_and_as_a_telescope():
+    parallel = ray_tracer_frame(60, 60, ONE, 30, 30)
+    assert read(parallel, "Image behind the last lens") == np.inf
+    assert "no image" in parallel.pictures[0].alt
+    assert read(ray_tracer_frame(150, 50, SPREADING, 30, 20), "Focal length of the whole") == np.inf
+    says("$d = 20$ mm, which is $f_1 + f_2$", "it is 780 mm away and 12 times as large")
+
+
+# Blur and depth
+
+
+def test_spot_of_the_wing():
+    spot = optics.circle_of_confusion(NEAR, 2200, F, 1.4)
+    assert spot == about(0.244, 3)
+    assert spot / PITCH == about(18.1, 1)
+    assert about(0.0135, 4) == PITCH
+    says("a spot of 0.244 mm", "**18.1 pixels**", "0.0135 mm wide")
+
+
+def test_depth_of_the_wing():
+    near, far = optics.depth_of_field(F, 8, 2200, PITCH)
+    assert (near, far, far - near) == (about(2133, 0), about(2272, 0), about(139, 0))
+    a = 8 * PITCH * (2200 - F) / F**2
+    assert a == about(0.0316, 4)
+    assert (near, far) == (pytest.approx(2200 / (1 + a)), pytest.approx(2200 / (1 - a)))
+    says("$a = 0.0316$", "2133 mm to 2272 mm", "139 mm of the 500 mm")
+    near, far = optics.depth_of_field_approximate(F, 8, 2200, PITCH)
+    assert (near, far, far - near) == (about(2130, 0), about(2275, 0), about(145, 0))
+    says("2130 mm to 2275 mm, a range of 145 mm")
+
+
+@pytest.mark.parametrize(("times", "percent"), [(100, 1), (10, 11)])
+def test_error_of_the_approximation(times, percent):
+    exact, rough = (
+        np.diff(limits(F, 8, times * F, PITCH))
+        for limits in (optics.depth_of_field, optics.depth_of_field_approximate)
+    )
+    assert 100 * (rough / exact - 1) == about(percent, 0)
+    says("At 100 focal lengths the depth is 1 % too large, at 10 focal lengths 11 %")
+
+
+def sharp(N, focus, f=50):
+    """Return near limit, far limit and depth in the explorer, m."""
+    frame = depth_of_field_frame(f, N, focus, 50)
+    return [read(frame, label) for label in ("Near limit", "Far limit", "Depth of field")]
+
+
+def test_depth_explorer_shows_what_the_text_says():
+    near, far, depth = sharp(2.8, 3.5)
+    assert near > 2
+    assert far < 7
+    assert depth == about(1.40, 2)
+    assert sharp(11, 3.5)[:2] == [about(1.99, 2), about(14.5, 1)]
+    assert optics.hyperfocal_distance(50, 8, 0.05) == 6300
+    assert sharp(8, 6.3)[0] == 3.15
+    assert sharp(2.8, 3.5, f=100)[2] == about(0.33, 2)
+    says("2.0 m to 14.5 m", "6.3 m, is among them", "3.15 m to the stars", "1.40 m to 0.33 m")
+
+
+def test_focus_distances_that_hold_three_signs():
+    good = [D for D in np.arange(3.5, 20, 0.01) if sharp_three(D)]
+    assert (min(good), max(good)) == (about(4.4, 1), about(7.9, 1))
+    says("From 4.4 m to 7.9 m")
+
+
+def sharp_three(D):
+    near, far = optics.depth_of_field(50, 8, 1000 * D, 0.05)
+    return near <= 3500 and far >= 14000
+
+
+# The window
+
+
+def test_aperture_of_the_wing():
+    N, D = optics.aperture_for_depth(F, NEAR, FAR, PITCH)
+    assert (about(27.9, 1), about(2222, 0)) == (N, D)
+    half_way, _ = optics.apertures_for_limits(F, NEAR, FAR, 2250, PITCH)
+    assert half_way == about(31, 0)
+    assert optics.airy_diameter(GREEN, N) / PITCH == about(2.8, 1)
+    says("$D = 2222$ mm and **$N = 27.9$**", "would need f/31", "the Airy disk alone has 2.8 px")
+
+
+def test_airy_disks():
+    disks = 1000 * optics.airy_diameter(GREEN, np.array([4, 8, 22]))
+    assert disks.tolist() == [about(5.4, 1), about(10.7, 1), about(29.5, 1)]
+    assert about(10, 0) == PITCH / (2.44 * GREEN)
+    assert about(2.6, 1) == 0.00345 / (2.44 * GREEN)
+    says("5.4 µm at f/4, 10.7 µm at f/8 and 29.5 µm at f/22", "begins at f/10", "begins at f/2.6")
+
+
+def test_best_apertures():
+    assert optics.sharpest_f_number(2000, 2200, F, GREEN) == pytest.approx(16, rel=0.03)
+    assert best_aperture(F, 2.0, 0.5) == about(16.4, 1)
+    assert best_aperture(F, 2.0, 0.25) == about(12.2, 1)
+    says("The best is f/16.4", "half of the depth the best is f/12.2")
+
+
+@pytest.mark.parametrize(("f", "pixels"), [(85, 3.3), (50, 1.9)])
+def test_what_no_setting_can_do(f, pixels):
+    focus = optics.aperture_for_depth(f, NEAR, FAR, PITCH)[1]
+    best = optics.sharpest_f_number(NEAR, focus, f, GREEN)
+    blur = optics.circle_of_confusion(NEAR, focus, f, best) + optics.airy_diameter(GREEN, best)
+    assert blur / PITCH == about(pixels, 1)
+    assert blur / optics.magnification(f, focus) == about(1.1, 1)
+    assert f / best == about(5.2, 1)
+    says("1.9 px instead of 3.3 px", "blur over 1.1 mm", "it is 5.2 mm for both")
+
+
+# Lenses in a row
+
+
+def test_two_lenses():
+    f, _, back = optics.lens_system(50, -30, 30)
+    assert f == pytest.approx(150)
+    assert 30 + back < 0
+    assert 30 + back + f == pytest.approx(90)
+    says("act like a 150 mm lens", "only 90 mm behind the first lens")
+    zoomed = [optics.lens_system(50, -30, d)[0] for d in (27, 35)]
+    assert zoomed == [about(214, 0), about(100, 0)]
+    says("from 214 mm to 100 mm")
+
+
+def test_ray_through_the_focal_point():
+    height, _ = optics.free_space(50) @ optics.thin_lens(50) @ (3, 0)
+    assert height == pytest.approx(0)
