@@ -147,13 +147,13 @@ LENS_SYSTEM = Exercise(
 PARSE_LENS_NAME = Exercise(
     "lenses",
     optics.parse_lens_name,
-    points=6,
+    points=5,
     parts={
         "a prime lens": inputs.prime,
         "a zoom": inputs.zoom,
-        "a zoom with one f-number": inputs.zoom_of_one_aperture,
+        "a zoom with one f-number": Part(inputs.zoom_of_one_aperture, weight=0.5),
         "an f-number written as a ratio": inputs.ratio_notation,
-        "an f-number after a capital letter": inputs.capital_letter,
+        "an f-number after a capital letter": Part(inputs.capital_letter, weight=0.5),
         "a name that lacks one of the two": inputs.no_lens_name,
     },
     misconceptions=[
