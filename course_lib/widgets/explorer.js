@@ -148,7 +148,7 @@ const CONTROLS = {
       say();
     };
     const say = () => {
-      output.textContent = `${texts[input.value]} ${unit}`.trim();
+      output.textContent = `${texts[input.value]}${unit === "°" ? "" : " "}${unit}`.trim();
       input.ariaValueText = output.textContent;
       input.style.setProperty("--ce-filled", `${(100 * input.value) / (values.length - 1)}%`);
     };

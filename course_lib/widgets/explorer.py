@@ -156,7 +156,8 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         """Return the value of a control with its unit."""
         control, value = self._controls[name], self._state[name]
         if isinstance(control, Slider):
-            return f"{control.text(float(value))} {control.unit}".strip()
+            gap = "" if control.unit == "°" else " "
+            return f"{control.text(float(value))}{gap}{control.unit}".strip()
         if isinstance(value, bool):
             return "on" if value else "off"
         return str(value)

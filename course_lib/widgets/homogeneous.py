@@ -13,10 +13,10 @@ def join_meet_explorer() -> Explorer:
     return Explorer(
         "Where two lines meet",
         [
-            Slider("p", "Slope of the first line", "p", "", -2, 2, 0.3, step=0.1, digits=1),
-            Slider("q", "Height of the first line", "q", "", -3, 3, 0.7, step=0.1, digits=1),
-            Slider("r", "Slope of the second line", "r", "", -2, 2, -0.4, step=0.1, digits=1),
-            Slider("s", "Height of the second line", "s", "", -3, 3, -0.7, step=0.1, digits=1),
+            Slider("p", "Slope of line l", "p", "", -2, 2, 0.3, step=0.1, digits=1),
+            Slider("q", "Height of line l", "q", "", -3, 3, 0.7, step=0.1, digits=1),
+            Slider("r", "Slope of line m", "r", "", -2, 2, -0.4, step=0.1, digits=1),
+            Slider("s", "Height of line m", "s", "", -3, 3, -0.7, step=0.1, digits=1),
         ],
         join_meet_frame,
     )
@@ -30,8 +30,8 @@ def whole_camera_explorer() -> Explorer:
             Slider("f", "Focal length", "f", "px", 150, 1200, FIRST["f"], step=10),
             Slider("aspect", "Aspect", "fᵧ / fₓ", "", 0.6, 1.6, FIRST["aspect"], 0.02, digits=2),
             Slider("skew", "Skew", "s", "px", -200, 200, FIRST["skew"], step=10),
-            Slider("cx", "Principal point, column", "cᵤ", "px", -0.5, 479.5, FIRST["cx"], 10, 0, 1),
-            Slider("cy", "Principal point, row", "cᵥ", "px", -0.5, 359.5, FIRST["cy"], 10, 0, 1),
+            Slider("cx", "Principal column", "cᵤ", "px", -0.5, 479.5, FIRST["cx"], 10, 0, 1),
+            Slider("cy", "Principal row", "cᵥ", "px", -0.5, 359.5, FIRST["cy"], 10, 0, 1),
             Slider("x", "East", "X", "m", -6, 6, FIRST["x"], step=0.1, digits=1),
             Slider("y", "North", "Y", "m", -7, 8, FIRST["y"], step=0.1, digits=1),
             Slider("z", "Up", "Z", "m", 0.3, 9, FIRST["z"], step=0.1, digits=1),

@@ -35,7 +35,7 @@ def test_the_matrices_shown_are_those_of_the_camera():
     K, pose = table(frame, "Intrinsics"), table(frame, "Extrinsics")
     np.testing.assert_allclose(K, [[700, 60, 199.5], [0, 840, 179.5], [0, 0, 1]])
     np.testing.assert_allclose(pose[:, :3] @ (-2, -3.5, 1.6), -pose[:, 3], atol=0.01)
-    P = table(frame, "Camera matrix P = K [R | t]")
+    P = table(frame, "Camera matrix")
     np.testing.assert_allclose(P, camera.K @ np.column_stack([camera.R, camera.t]), atol=0.051)
 
 

@@ -44,8 +44,8 @@ def join_meet_frame(p: float, q: float, r: float, s: float) -> Frame:
     point = np.zeros(3) if same else meet(lines[0], lines[1]) + 0.0
     words = _words(point)
     readouts = (
-        Readout("First line", "l", _vector(lines[0])),
-        Readout("Second line", "m", _vector(lines[1])),
+        Readout("Line", "l", _vector(lines[0])),
+        Readout("Line", "m", _vector(lines[1])),
         Readout("They meet in", "l × m", _vector(point)),
         Readout("In the plane", "(x, y)", words),
     )
@@ -217,7 +217,7 @@ def _seen(points: Floats) -> Floats:
 @cache
 def _onlooker() -> Camera:
     """Return the camera from behind the origin, to the right of it and above."""
-    K = np.array([[860.0, 0, 206], [0, 860, 176], [0, 0, 1]])
+    K = np.array([[760.0, 0, 200], [0, 760, 174], [0, 0, 1]])
     return camera_at((-5.6, -8.5, 5.6), (0.5, 0, 0), K, SPACE_SIZE)
 
 

@@ -94,7 +94,7 @@ def whole_camera_frame(**numbers: float) -> Frame:
     if pixel is not None:
         words = f"({round(pixel[0])}, {round(pixel[1])})"
     readouts = (
-        matrix("Camera matrix P = K [R | t]", "P", P, (1, 1, 3)),
+        matrix("Camera matrix", "P = K [R | t]", P, (1, 1, 3)),
         matrix("Intrinsics", "K", camera.K, 1),
         matrix("Extrinsics", "[R | t]", np.column_stack([camera.R, camera.t]), 3),
         Readout("Lamp times P", "(x, y, w)", "({:.0f}, {:.0f}, {:.2f})".format(*image)),
