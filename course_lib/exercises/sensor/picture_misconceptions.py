@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 # --- camera_gain_from_pairs -------------------------------------------------------------------
 
 
-def slope(mean, variance, good):
+def slope(mean: Any, variance: Any, good: Any) -> Any:
     """Fit the line through the origin, as all variants below do."""
     return mean[good] @ variance[good] / (mean[good] @ mean[good])
 
 
-def transfer(first, second, dark_first, dark_second, white):
+def transfer(first: Any, second: Any, dark_first: Any, dark_second: Any, white: Any) -> Any:
     """Return mean, variance and what is not saturated, rightly."""
     first, second = first.astype(float), second.astype(float)
     mean = ((first + second) / 2).mean(axis=(1, 2)) - (dark_first.mean() + dark_second.mean()) / 2
@@ -47,7 +49,7 @@ def electrons_per_number(first, second, dark_first, dark_second, white):
 
 def deviation_for_variance(first, second, dark_first, dark_second, white):
     mean, variance, good = transfer(first, second, dark_first, dark_second, white)
-    return slope(mean, np.sqrt(variance), good)
+    return slope(mean, np.sqrt(np.maximum(variance, 0)), good)
 
 
 def wraps_around(first, second, dark_first, dark_second, white):
@@ -100,7 +102,7 @@ def always_8_bits(image, black=0, white=255):
 # --- bayer_mosaic -----------------------------------------------------------------------------
 
 
-def laid(image, pattern):
+def laid(image: Any, pattern: str) -> Any:
     """Lay the letters of a pattern over a picture."""
     mosaic = np.zeros(image.shape[:2])
     for i, letter in enumerate(pattern):
@@ -140,7 +142,9 @@ def one_pixel_a_square(image, pattern="RGGB"):
 # --- demosaic_bilinear ------------------------------------------------------------------------
 
 
-def interpolated(mosaic, pattern="RGGB", mode="constant", corner=0, count=True):
+def interpolated(
+    mosaic: Any, pattern: str = "RGGB", mode: Any = "constant", corner: int = 0, count: bool = True
+) -> Any:
     """Interpolate with the neighbours' mean, in one of several ways."""
     image = np.zeros((*mosaic.shape, 3))
     for colour, letter in enumerate("RGB"):
@@ -155,7 +159,7 @@ def interpolated(mosaic, pattern="RGGB", mode="constant", corner=0, count=True):
     return image
 
 
-def around(values, weights, mode):
+def around(values: Any, weights: Any, mode: Any) -> Any:
     """Sum up the weighted neighbours of each pixel."""
     padded = np.pad(values, 1, mode=mode)
     rows, columns = values.shape
