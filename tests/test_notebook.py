@@ -54,6 +54,31 @@ def test_what_cannot_be_drawn_is_none_and_says_why(
     assert said in capsys.readouterr().out
 
 
+def test_several_results_come_back_each_as_it_should_be() -> None:
+    R, t = np.diag([1.0, -1, -1]), np.array([1.0, 2, 3])
+    answer = named(lambda R, t: [R.T.tolist(), (-R.T @ t).tolist()], "invert_pose")
+    rotation, translation = attempt(answer, R, t)
+    np.testing.assert_array_equal(rotation, R)
+    np.testing.assert_array_equal(translation, [-1, 2, 3])
+
+
+@pytest.mark.parametrize(
+    ("result", "said"),
+    [
+        (None, "invert_pose returns None instead of 2 results"),
+        (np.eye(3), "invert_pose returns an array of shape (3, 3) instead of 2 results"),
+        ((np.eye(3),), "invert_pose returns a tuple of 1 values instead of 2 results"),
+        (5.0, "invert_pose returns a number instead of 2 results"),
+        ((np.eye(3), np.eye(3)), "invert_pose returns an array of shape (3, 3) instead of an"),
+    ],
+)
+def test_too_few_or_wrong_results_are_none_and_say_why(
+    result: Any, said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert attempt(named(lambda R, t: result, "invert_pose"), np.eye(3), np.zeros(3)) is None
+    assert said in capsys.readouterr().out
+
+
 def test_the_untouched_stub_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     def project_pinhole(points: Any, f: Any, c: Any) -> Any:
         raise NotImplementedError
