@@ -19,7 +19,6 @@ from course_lib.drawing.sensor.exposure import (
     apertures_to_scale,
     belt_photographs,
     exposure_chart,
-    lights_compared,
 )
 from course_lib.drawing.sensor.histograms import (
     corrected_afterwards,
@@ -86,7 +85,6 @@ __all__ = [
     "label_and_nut",
     "lamp_drift",
     "light_to_number",
-    "lights_compared",
     "mosaic_and_back",
     "photon_patches",
     "photon_transfer",

@@ -25,7 +25,11 @@ PHASES = (
 )
 
 
-@figure
+@figure(
+    "Four boxes from left to right: a lamp lights a part; a lens focuses its light on a "
+    "sensor; photons fall into a pixel's well and become electrons; grey squares with "
+    "numbers."
+)
 def acquisition_chain() -> Figure:
     """Show the four phases of image acquisition, from the lamp to the file.
 
@@ -112,7 +116,10 @@ def _numbers(ax: Axes, x: float) -> None:
     write(ax, (x + 1.15, -1.16), "8-bit numbers", fontsize=9)
 
 
-@figure
+@figure(
+    "Six boxes in a row: {photons:g} photons, electrons, the full well, volts, the amplifier,"
+    " and the number in the file, each with its value and the noise that it adds."
+)
 def light_to_number(
     photons: float = 8000.0,
     quantum_efficiency: float = 0.6,

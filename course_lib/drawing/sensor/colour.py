@@ -31,7 +31,10 @@ SENSITIVITIES = (
 )
 
 
-@figure
+@figure(
+    "Three drawings: a filter wheel before one sensor; a mosaic of red, green and blue "
+    "filters with twice as much green; a prism that sends three colours to three chips."
+)
 def colour_strategies() -> Figure:
     """Show three ways to see colours: a filter wheel, a mosaic of filters, three chips on a prism.
 
@@ -92,7 +95,10 @@ def _prism(ax: Axes) -> None:
     write(ax, (3.0, -2.1), "prism with coatings", fontsize=9)
 
 
-@figure
+@figure(
+    "Sensitivity against wavelength: blue, green and red filters side by side under the eye's"
+    " curve, which is highest near 555 nm, and silicon, which goes on to about 1100 nm."
+)
 def spectrum() -> Figure:
     """Show which wavelengths the eye, a colour filter and bare silicon react to.
 
@@ -119,7 +125,11 @@ def spectrum() -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "Six pictures of one raw file: its numbers as grey, a few pixels behind their filters, "
+    "demosaiced and dark green, with white balance, encoded for a screen, and the few pixels "
+    "again."
+)
 def development(
     raw: ArrayLike,
     black: float,
@@ -164,7 +174,11 @@ def development(
     return fig
 
 
-@figure
+@figure(
+    "The sRGB curve rises steeply from black and reaches half of the codes at 0.214 of the "
+    "light; beside it two ramps of {bits} bits: even steps of code show finer darks than even"
+    " steps of light."
+)
 def gamma_curve(bits: int = 4) -> Figure:
     """Show the sRGB curve, and a ramp of light with few levels with and without it.
 
@@ -196,7 +210,10 @@ def gamma_curve(bits: int = 4) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "Washers and two brass nuts under light that falls off to the right, as red, green, blue,"
+    " hue, saturation and value: only in the hue do both nuts look alike."
+)
 def colour_spaces(light: ArrayLike) -> Figure:
     """Show a colour picture with uneven light as red, green, blue and as hue, saturation, value.
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
 from course_lib.drawing.explorers.exposure import exposure_frame
 from course_lib.drawing.sensor.screen import picture
-from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREY, LIGHT, ORANGE, ROLES
+from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREY, ROLES
 from course_lib.sensor import exposure_value
 
 if TYPE_CHECKING:
@@ -32,7 +32,10 @@ SCENES = (
 STOPS = (1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0, 11.0, 16.0, 22.0)
 
 
-@figure
+@figure(
+    "Photographs of washers, nuts and a label on a belt, one for each setting: long exposures"
+    " are smeared sideways, short ones dark or grainy."
+)
 def belt_photographs(settings: Sequence[Settings], speed: float = 800.0) -> Figure:
     """Show photographs of parts on a belt, taken with different settings.
 
@@ -67,7 +70,10 @@ def seconds(t: float) -> str:
     return f"{t:.3g} s" if not 0 < t < 0.3 else f"1/{1 / t:.0f} s"
 
 
-@figure
+@figure(
+    "Openings of a lens from large to small; from each f-number to the next the area, and so "
+    "the light, halves."
+)
 def apertures_to_scale(numbers: Sequence[float] = STOPS[3:9]) -> Figure:
     """Show the openings of a lens at full stops: each has half the area of the one before.
 
@@ -95,7 +101,10 @@ def apertures_to_scale(numbers: Sequence[float] = STOPS[3:9]) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "Exposure time against f-number, both logarithmic: rising lines of equal exposure value, "
+    "from a street at night to full sun, and a row of circles at 1/125 s."
+)
 def exposure_chart(yours: ArrayLike | None = None) -> Figure:
     """Show which pairs of exposure time and f-number suit scenes of different brightness.
 
@@ -135,34 +144,3 @@ def _your_values(ax: Axes, stops: Floats, values: Floats | None) -> None:
     ax.plot(stops, np.full(10, 1 / 125), "o", color=ROLES["second"], ms=6, label="your EV")
     for N, value in zip(stops, values, strict=True):
         ax.text(N, 1 / 125 * 0.5, f"{value:.1f}", ha="center", va="top", fontsize=8)
-
-
-@figure
-def lights_compared(names: Sequence[str], photons: ArrayLike, full_well: float = 20_000) -> Figure:
-    """Show how full the wells are for exposures that look alike.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Of the exposures.
-    photons : array_like, shape (N,)
-        Electrons in a pixel that shows white.
-    full_well : float
-        Electrons that fit in.
-
-    Returns
-    -------
-    Figure
-        A well for each exposure, and the signal-to-noise ratio of its light, √n.
-    """
-    electrons = np.asarray(photons, dtype=float)
-    fig, ax = panels(1, 1, (FULL_WIDTH, 2.4))
-    place = np.arange(len(names))
-    ax.bar(place, full_well, width=0.55, color=LIGHT)
-    ax.bar(place, electrons, width=0.55, color=ORANGE)
-    for x, n in zip(place, electrons, strict=True):
-        text = f"{n:.0f}\nSNR {np.sqrt(n):.0f}"
-        ax.text(x + 0.31, min(n, 0.72 * full_well), text, va="bottom", fontsize=9)
-    ax.set_xticks(place, list(names))
-    ax.set(ylabel="electrons (e⁻)", xlim=(-0.5, len(names) - 0.2))
-    return fig

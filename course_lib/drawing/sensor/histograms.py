@@ -58,7 +58,10 @@ def as_light(numbers: Numbers, sensor: SensorModel, factor: float = 1.0) -> Floa
     return (numbers.astype(float) - sensor.offset) / (sensor.white - sensor.offset) * factor
 
 
-@figure
+@figure(
+    "A street under-exposed, well exposed and over-exposed; the histograms below are crowded "
+    "on the left, spread out, and piled up against the right end."
+)
 def histogram_series(stops: tuple[float, ...] = (-3.0, 0.0, 2.0)) -> Figure:
     """Show a street too dark, right and too bright, each with its histogram.
 
@@ -93,7 +96,10 @@ def _histogram(ax: Axes, numbers: Numbers, white: int) -> None:
     ax.set(xlabel="number (DN)", xlim=(0, white + 1))
 
 
-@figure
+@figure(
+    "Two corrected pictures of a street with a detail each: the under-exposed one is complete"
+    " and grainy, the sky of the over-exposed one is an even grey."
+)
 def corrected_afterwards(stops: tuple[float, float] = (-3.0, 2.0)) -> Figure:
     """Show an under- and an overexposed picture, both brought to the right brightness afterwards.
 
@@ -120,7 +126,10 @@ def corrected_afterwards(stops: tuple[float, float] = (-3.0, 2.0)) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "Two details of a dark street, {factor:g} times brighter: amplified before digitising it "
+    "has all grey values, multiplied afterwards only a few, with gaps in the histogram."
+)
 def gain_before_or_after(factor: float = 16.0, bits: int = 8) -> Figure:
     """Show the same few photons, amplified before they are made numbers, and afterwards.
 

@@ -28,7 +28,10 @@ BACK_LIT = (
 )
 
 
-@figure
+@figure(
+    "Three drawings from the side: lamps above the part and beside the camera; a bright panel"
+    " below the part; a projector that sends a fan of light from the side."
+)
 def three_lights() -> Figure:
     """Show where lamp, part and camera stand for front light, back light and structured light.
 
@@ -72,7 +75,10 @@ def _ray(ax: Axes, start: tuple[float, float], end: tuple[float, float]) -> None
     ax.annotate("", xy=end, xytext=start, arrowprops=arrow)
 
 
-@figure
+@figure(
+    "An 8 by 8 table of grey values with a dark U-shaped part of 0 and 1 before a background "
+    "of 15; the histogram has two groups with a threshold between them."
+)
 def back_lit(threshold: float = 8.0, pixel: float = 0.5) -> Figure:
     """Show the grey values of a small back-lit part, and which pixels a threshold takes for it.
 
@@ -103,7 +109,10 @@ def back_lit(threshold: float = 8.0, pixel: float = 0.5) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "A cut: light from the left stops on a block of height h; seen from above it is shifted "
+    "by s from where it would meet the table; the angle at the top of the triangle is theta."
+)
 def stripe_geometry(height: float = 3.0, angle_deg: float = 40.0) -> Figure:
     """Show why a stripe of slanted light moves sideways where it meets something high.
 
@@ -154,7 +163,10 @@ def _names(ax: Axes, shift: float, height: float, top: float, angle: float) -> N
     write(ax, (-shift + 0.62, height * 0.42), r"$\theta$", fontsize=12)
 
 
-@figure
+@figure(
+    "Grey values against hours of use: part and white patch lose 15 % in the first 100 hours "
+    "and a little more later; the part divided by the patch stays level."
+)
 def lamp_drift(hours: float = 400.0) -> Figure:
     """Show how a fluorescent lamp fades, and what a reference patch in the picture saves.
 

@@ -45,7 +45,10 @@ def computed_raw() -> NDArray[np.uint16]:
     return expose(photons, sensor, np.random.default_rng(9)).astype(np.uint16)
 
 
-@figure
+@figure(
+    "Three pictures of a brass nut: from the lens, behind a mosaic of red, green and blue "
+    "filters, and with guessed colours; empty where your function does not answer yet."
+)
 def mosaic_and_back(
     light: ArrayLike, mosaic: ArrayLike | None = None, colours: ArrayLike | None = None
 ) -> Figure:

@@ -19,7 +19,10 @@ if TYPE_CHECKING:
     from data_generators.flats import Pairs
 
 
-@figure
+@figure(
+    "Even grey patches with few to many photons in a pixel, from very grainy to smooth; the "
+    "standard deviation of each is near the root of its mean."
+)
 def photon_patches(means: Sequence[float] = (4, 16, 100, 10_000), side: int = 60) -> Figure:
     """Show even grey surfaces that sent few and many photons into each pixel.
 
@@ -44,7 +47,9 @@ def photon_patches(means: Sequence[float] = (4, 16, 100, 10_000), side: int = 60
     return fig
 
 
-@figure
+@figure(
+    "The number in the file against photons: a straight line up to the full well, level beyond it."
+)
 def response_curve(sensor: SensorModel, yours: ArrayLike | None = None) -> Figure:
     """Show which number a sensor writes for how many photons.
 
@@ -76,7 +81,10 @@ def response_curve(sensor: SensorModel, yours: ArrayLike | None = None) -> Figur
     return fig
 
 
-@figure
+@figure(
+    "Signal-to-noise ratio against photons, logarithmic: steep where fixed noise rules in the"
+    " dark, half as steep where shot noise rules."
+)
 def snr_curve(sensor: SensorModel, yours: ArrayLike | None = None) -> Figure:
     """Show how the signal-to-noise ratio of a pixel grows with its photons.
 
@@ -112,7 +120,10 @@ def snr_curve(sensor: SensorModel, yours: ArrayLike | None = None) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "Variance against mean for pairs of pictures: points on a straight line through zero, "
+    "whose slope is the gain; the clipped lights lie far below it."
+)
 def photon_transfer(pairs: Pairs, white: float, gain: float | None = None) -> Figure:
     """Show the noise of a camera against its signal, as measured from pairs of pictures.
 

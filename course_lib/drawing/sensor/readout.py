@@ -18,7 +18,10 @@ CELL = 0.9  # side of a drawn pixel
 SMALL: dict[str, Any] = {"fontsize": 9, "va": "top"}
 
 
-@figure
+@figure(
+    "Three sensors of 4 by 4 pixels: an interline CCD with covered columns, a frame-transfer "
+    "CCD with a covered half below, a CMOS sensor with an amplifier in each pixel."
+)
 def ways_of_reading() -> Figure:
     """Show how charge leaves an interline CCD, a frame-transfer CCD and a CMOS sensor.
 
@@ -101,7 +104,10 @@ def _cmos(ax: Axes) -> None:
     write(ax, (3.6, -2.9), "an amplifier in each pixel;\nrow 1, row 2, …", fontsize=9, va="top")
 
 
-@figure
+@figure(
+    "Row against time for a global shutter, where all rows are exposed at once and read "
+    "later, and for a rolling one, where each row starts after the one above."
+)
 def shutters(rows: int = 8, exposure: float = 2.0, row_time: float = 0.7) -> Figure:
     """Show when each row of a sensor is exposed, with a global and with a rolling shutter.
 
@@ -138,7 +144,10 @@ def _read(start: NDArray[np.float64], exposure: float, delay: float) -> NDArray[
     return exposure + 0.3 + 0.45 * np.arange(len(start), dtype=np.float64)
 
 
-@figure
+@figure(
+    "A photograph of a round clock, smeared sideways, and the grey values along two cuts: "
+    "ramps along the motion, steep edges across it."
+)
 def clock_blur(picture: ArrayLike, row: int = 150, column: int = 212) -> Figure:
     """Show a real photograph that was blurred by motion, and how long the blur is.
 
@@ -170,7 +179,10 @@ def clock_blur(picture: ArrayLike, row: int = 150, column: int = 212) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "A picture of a pole that leans: its lower end lies farther to the right, as it moved on "
+    "while the rows were read."
+)
 def skewed_pole(
     speed: float = 1800.0, row_time: float = 30e-6, yours: ArrayLike | None = None
 ) -> Figure:

@@ -17,7 +17,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@figure
+@figure(
+    "One small part of a photograph as grey squares, as a table of numbers, and as a "
+    "landscape with hills where it is bright."
+)
 def height_field(picture: ArrayLike, box: tuple[int, int, int, int] = (252, 130, 40, 30)) -> Figure:
     """Show one small part of a picture three times: as grey squares, as numbers, as a landscape.
 
@@ -73,7 +76,10 @@ def _numbers(ax: Axes, part: NDArray[np.generic], shown: tuple[int, int] = (6, 9
     ax.set(title="as numbers", xlabel="its middle")
 
 
-@figure
+@figure(
+    "A star with fine spokes on finer and coarser pixels: where each pixel looks at one point"
+    " there are false patterns near the middle, where it looks at its whole area mostly grey."
+)
 def aliasing(pitches: Sequence[int] = (1, 6, 12), size: int = 240) -> Figure:
     """Show a star with fine spokes on sensors with small and with large pixels.
 
@@ -109,7 +115,10 @@ def aliasing(pitches: Sequence[int] = (1, 6, 12), size: int = 240) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "A wave with a period of {period:g} px, a sample in each pixel, and the much slower wave "
+    "that passes through the same samples."
+)
 def sampled_wave(period: float = 1.25, length: float = 10.0) -> Figure:
     """Show a fine pattern of light, samples one pixel apart, and the coarse wave through them.
 
@@ -140,7 +149,10 @@ def sampled_wave(period: float = 1.25, length: float = 10.0) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "One photograph with fewer and fewer grey values, and a row of each below: a smooth curve"
+    " turns into stairs and then into two levels."
+)
 def quantisation(picture: ArrayLike, bits: Sequence[int] = (8, 4, 2, 1), row: int = 150) -> Figure:
     """Show a photograph with fewer and fewer grey values, and one of its rows.
 

@@ -55,7 +55,10 @@ def stripe_scan(
     return Scan(x[found], (place[0] - x + error)[found])
 
 
-@figure
+@figure(
+    "Height against place: the outline of a dome of {height:g} mm, and below it the smaller "
+    "shifts of a line of light that was moved over it."
+)
 def scanned_profile(
     scan: Scan, angle: float, yours: ArrayLike | None = None, height: float = 5.0
 ) -> Figure:

@@ -25,7 +25,11 @@ if TYPE_CHECKING:
 DIAGONAL = 21.6  # mm: from the middle to the corner of a full-frame sensor
 
 
-@figure
+@figure(
+    "Light against the distance from the middle of a picture for f = {f:g} mm: it falls with "
+    "the fourth power of the cosine, and more when the lens is wide open; two white walls "
+    "with dark corners."
+)
 def vignetting_profile(f: float = 24.0, pupils: tuple[float, float] = (12.0, 3.0)) -> Figure:
     """Show how much light a lens loses towards the corner, wide open and stopped down.
 
@@ -57,7 +61,10 @@ def vignetting_profile(f: float = 24.0, pupils: tuple[float, float] = (12.0, 3.0
     return fig
 
 
-@figure
+@figure(
+    "A checkerboard in the middle and in the corner of a picture: in the corner each edge has"
+    " a coloured fringe."
+)
 def colour_fringes(scale: float = 1.006, size: int = 480) -> Figure:
     """Show the corner of a picture whose red image is larger than the green, and the blue smaller.
 
@@ -93,7 +100,10 @@ def colour_fringes(scale: float = 1.006, size: int = 480) -> Figure:
     return fig
 
 
-@figure
+@figure(
+    "Four pictures: the belt with dark corners, white paper with the same dark corners and "
+    "dust, a dark picture, and the belt corrected by your function once it answers."
+)
 def flat_field_series(pictures: Uneven, yours: ArrayLike | None = None) -> Figure:
     """Show a picture, its dark and flat pictures, and what dividing by them makes of it.
 
