@@ -156,9 +156,9 @@ def meet(l: ArrayLike, m: ArrayLike) -> Array:  # noqa: E741 (the formula's name
     >>> meet([1, 0, -2], [1, 0, -5])  # x = 2 and x = 5: the direction of both
     array([0., 3., 0.])
     """
-    l, m = check_directions(l, "l"), check_directions(m, "m")  # noqa: E741
-    check_distinct(l, m, "lines l and m")
-    return np.cross(l, m)
+    first, second = check_directions(l, "l"), check_directions(m, "m")
+    check_distinct(first, second, "lines l and m")
+    return np.cross(first, second)
 
 
 def check_distinct(a: Array, b: Array, what: str) -> None:

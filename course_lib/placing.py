@@ -46,8 +46,8 @@ def camera_centre(R: ArrayLike, t: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> camera_centre(*look_at(eye=(1, 2, 3), target=(0, 0, 0))).round(12)
-    array([1., 2., 3.])
+    >>> camera_centre([[0, -1, 0], [1, 0, 0], [0, 0, 1]], [1, 2, 3])
+    array([-2.,  1., -3.])
     """
     R, t = check_rotation(R), check_vector(t, 3, "t")
     return -R.T @ t

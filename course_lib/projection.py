@@ -94,7 +94,7 @@ def project(points: ArrayLike, P: ArrayLike) -> Array:
            [nan, nan]])
     """
     points, P = check_points(points, 3, "points"), check_finite_camera(P)
-    P = np.asarray(np.sign(np.linalg.det(P[:, :3])) * P)  # so that depths in front are positive
+    P = P if np.linalg.det(P[:, :3]) > 0 else -P  # so that depths in front are positive
     # One row for each coordinate of all points: whole rows are quick to divide.
     x = P[:, :3] @ points.reshape(-1, 3).T
     x += P[:, 3:]

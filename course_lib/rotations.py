@@ -7,6 +7,8 @@ positive angle turns counter-clockwise when the axis points at you. Use these fu
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -176,4 +178,4 @@ def rotation_about_axis(axis: ArrayLike, angle: float) -> Array:
     """
     axis, angle = check_direction(axis, "axis"), check_number(angle, "angle")
     k = cross_matrix(axis / np.linalg.norm(axis))
-    return np.asarray(np.eye(3) + np.sin(angle) * k + (1 - np.cos(angle)) * k @ k)
+    return np.eye(3) + math.sin(angle) * k + (1 - math.cos(angle)) * k @ k
