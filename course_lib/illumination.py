@@ -154,13 +154,17 @@ def correct_lamp_drift(
     array([ 16., 116., 216.])
     """
     offset = check_number(offset, "offset")
-    now, before = (
-        float(check_numbers(values, name).mean()) - offset
-        for values, name in ((patch, "patch"), (patch_before, "patch_before"))
-    )
+    now, before = _mean(patch, "patch") - offset, _mean(patch_before, "patch_before") - offset
     if min(now, before) <= 0:
         raise ValueError("the patch must be brighter than the offset in both pictures")
     return offset + (check_numbers(image, "image") - offset) * (before / now)
+
+
+def _mean(values: ArrayLike, name: str) -> float:
+    array = check_numbers(values, name)
+    if not array.size:
+        raise ValueError(f"{name} must hold at least one number, got none: where does it lie?")
+    return float(array.mean())
 
 
 def _check_grey(image: ArrayLike) -> Array:
