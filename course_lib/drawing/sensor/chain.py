@@ -151,8 +151,8 @@ def light_to_number(
     steps = (
         ("photons", f"{photons:.0f}", "arrive by\nchance", ORANGE),
         ("electrons", f"{electrons:.0f}", f"× {quantum_efficiency:g}\nshot, dark noise", GREEN),
-        ("full well", f"{electrons:.0f}", "no more electrons\nfit in", GREEN),
-        ("volts", f"{electrons * VOLTS:.3f}", "charge on a capacitor\nread noise", BLUE),
+        ("full well", f"{electrons:.0f}", "no more\nfit in", GREEN),
+        ("volts", f"{electrons * VOLTS:.3f}", "on a capacitor,\nread noise", BLUE),
         ("amplifier", f"{number:.1f}", f"× {gain:g} + {offset:g}", BLUE),
         ("a number", f"{min(np.rint(number), top):.0f}", f"rounded,\nat most {top}", RED),
     )

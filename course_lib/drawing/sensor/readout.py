@@ -220,5 +220,5 @@ def skewed_pole(
     drawn = same_shape(yours, np.array(skew))
     if drawn is not None and np.isfinite(drawn):
         stroke(ax, [(200, 0), (200 + float(drawn), height - 1)], "second", lw=2.5, ls=(0, (5, 3)))
-        write(ax, (330, 250), f"your skew: {float(drawn):.1f} px", "second")
+        write(ax, (330, 250), f"your skew: {float(drawn):.1f} px")
     return fig
