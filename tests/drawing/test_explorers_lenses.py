@@ -122,6 +122,20 @@ def test_drawn_rays_meet_in_the_image(second):
         assert v + (low - v) / (right - u) * (at[0] - u) == pytest.approx(at[1], abs=0.4)
 
 
+def test_three_rays_are_the_ones_that_are_easy_to_draw():
+    frame = RAYS(150, 60, rays.ONE, 30, 30)
+    drawn = [line for line in frame.pictures[0].lines if line.role == "ray" and line.width == 2.0]
+    tip, (axis_u, axis_v) = rays._at(-150, rays.HEIGHT), rays._at(0, 0)
+    for line in drawn:
+        assert tuple(np.asarray(line.points)[0]) == pytest.approx(tip)
+    parallel, centre, focal = (np.asarray(line.points) for line in drawn)
+    assert parallel[1, 1] == pytest.approx(tip[1])
+    assert centre[1] == pytest.approx([axis_u, axis_v])
+    crossing = np.interp(axis_v, focal[:2, 1], focal[:2, 0])
+    assert crossing == pytest.approx(rays._at(-60, 0)[0])
+    assert focal[1, 1] == pytest.approx(focal[2, 1])  # it leaves parallel to the axis
+
+
 def test_numbers_of_two_lenses_are_those_of_the_system():
     frame = RAYS(150, 50, rays.SPREADING, 30, 30)
     f, front, back = optics.lens_system(50, -30, 30)
