@@ -92,9 +92,10 @@ PIXEL_RAY = Exercise(
     camera.pixel_ray,
     points=6,
     parts={
+        "a camera at the origin": Part(inputs.rays_from_the_origin, weight=2),
+        "cameras anywhere": Part(inputs.rays_of_pixels, weight=2),
         "a single pixel": Part(inputs.ray_of_one_pixel, weight=1),
-        "pixels in rows": Part(inputs.rays_of_pixels, weight=3),
-        "pixel axes with skew": Part(inputs.rays_with_skew, weight=2),
+        "pixel axes with skew": Part(inputs.rays_with_skew, weight=1),
     },
     misconceptions=[
         Misconception(

@@ -93,23 +93,25 @@ def on_line(angle: float, distance: float, along: float, w: float) -> Floats:
     return w * np.append(distance * normal + along * tangent, 1)
 
 
-def line_from(rng: Generator, angle: float) -> Known:
-    d = rng.uniform(3, 20)
+def line_from(rng: Generator, w: tuple[float, float]) -> Known:
+    angle, d = slanted(rng), rng.uniform(3, 20)
     along = rng.uniform(1, 9), -rng.uniform(1, 9)
-    w = rng.uniform(0.4, 0.8), -rng.uniform(1.5, 3)
     p, q = (on_line(angle, d, a, b) for a, b in zip(along, w, strict=True))
     return Known({"p": p, "q": q}, np.array([np.cos(angle), np.sin(angle), -d]))
 
 
 def slanted_line(rng: Generator) -> Known:
-    return line_from(rng, slanted(rng))
+    return line_from(rng, (1, 1))
+
+
+def points_of_any_w(rng: Generator) -> Known:
+    return line_from(rng, (rng.uniform(0.4, 0.8), -rng.uniform(1.5, 3)))
 
 
 def vertical_line(rng: Generator) -> Known:
     """Make two points with exactly the same x."""
-    x, w = away_from_zero(rng, 2, 9), rng.choice([0.5, 2.0, 4.0], 2, replace=False)
-    y = rng.uniform(1, 4), -rng.uniform(1, 4)
-    p, q = (np.array([b * x, b * a, b]) for a, b in zip(y, w, strict=True))
+    x = away_from_zero(rng, 2, 9)
+    p, q = (np.array([x, y, 1]) for y in (rng.uniform(1, 4), -rng.uniform(1, 4)))
     return Known({"p": p, "q": q}, np.array([1.0, 0.0, -x]))
 
 

@@ -84,10 +84,11 @@ LINE_THROUGH = Exercise(
     homogeneous.line_through,
     points=5,
     parts={
-        "slanted lines": Part(inputs.slanted_line, weight=1),
-        "lines straight up": Part(inputs.vertical_line, weight=1),
-        "a point at infinity": Part(inputs.line_to_infinity, weight=2),
-        "many pairs, in rows": Part(inputs.several_lines, weight=1),
+        "slanted lines": inputs.slanted_line,
+        "lines straight up": inputs.vertical_line,
+        "points of any w": inputs.points_of_any_w,
+        "a point at infinity": inputs.line_to_infinity,
+        "many pairs, in rows": inputs.several_lines,
     },
     compare=UpToScale(rows=True),
     misconceptions=[

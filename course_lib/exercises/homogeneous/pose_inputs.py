@@ -146,9 +146,10 @@ def matrix_of_any_camera(rng: Generator) -> Known:
     return matrix_of(intrinsics(rng, skew), any_rotation(rng), a_place(rng))
 
 
-def seen(rng: Generator, skew: float = 0.0) -> tuple[Floats, Known]:
+def seen(rng: Generator, skew: float = 0.0, at: Floats | None = None) -> tuple[Floats, Known]:
     """Put points on the rays of pixels: pixels first, then depths, then the world."""
     K, R_camera, centre = intrinsics(rng, skew), any_rotation(rng), a_place(rng)
+    centre = centre if at is None else at
     pixels = rng.uniform((-300, -200), (940, 680), (4, 2))  # also outside of the picture
     y = (pixels[:, 1] - K[1, 2]) / K[1, 1]
     x = (pixels[:, 0] - K[0, 2] - skew * y) / K[0, 0]
@@ -187,13 +188,17 @@ def points_behind(rng: Generator) -> Known:
 
 
 def negative_matrix(rng: Generator) -> Known:
-    """Give the same camera by a negative multiple of its matrix, with a point behind it."""
-    many = points_behind(rng)
+    """Give the same camera by a negative multiple of its matrix."""
+    many = project_case(rng)
     return Known({**many.inputs, "P": -rng.uniform(0.2, 3) * many.inputs["P"]}, many.truth)
 
 
 def rays_of_pixels(rng: Generator) -> Known:
     return seen(rng)[1]
+
+
+def rays_from_the_origin(rng: Generator) -> Known:
+    return seen(rng, at=NOWHERE)[1]
 
 
 def ray_of_one_pixel(rng: Generator) -> Known:
