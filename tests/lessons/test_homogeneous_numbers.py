@@ -198,6 +198,8 @@ def test_back_to_the_street():
     assert rounded(sizes, 1) == [17.1, 24.1]
     assert rounded(np.multiply(sizes, 720 / 6000), 1) == [2.1, 2.9]
     assert rounded(np.linalg.norm(first.centre - SECOND.centre), 2) == 9.62
+    assert rounded(np.linalg.norm(draw.CORNER - first.centre), 1) == 13.1
+    assert first.project(draw.CORNER).round().tolist() == [622, 94]
     assert first.centre[0] - draw.HOUSE[0, 0] == pytest.approx(12)
     says(
         "$(622.0, 93.7)$", "$(508.7, 108.7)$", "17.1 mm and 24.1 mm", "2.1 mm and 2.9 mm", "9.62 m"

@@ -8,6 +8,7 @@ from course_lib.drawing.homogeneous.moves import (
     gimbal_lock,
     opening_door,
     order_matters,
+    split_by_axis,
 )
 from course_lib.drawing.homogeneous.projective import points_on_rays, what_survives
 from course_lib.drawing.homogeneous.site import (
@@ -25,6 +26,7 @@ from course_lib.drawing.homogeneous.site import (
 )
 from course_lib.drawing.homogeneous.sketches import (
     gimbal,
+    looking_at,
     pixel_shapes,
     two_conventions,
     where_is_it,
@@ -46,11 +48,13 @@ __all__ = [
     "gimbal",
     "gimbal_lock",
     "imports",
+    "looking_at",
     "one_ray",
     "opening_door",
     "order_matters",
     "pixel_shapes",
     "points_on_rays",
+    "split_by_axis",
     "street_map",
     "sweep",
     "taken_from",

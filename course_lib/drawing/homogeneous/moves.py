@@ -167,6 +167,44 @@ def _legend(ax: Axes, drawn: bool) -> None:
 
 
 @figure(
+    "A vector X and an axis n. The part of X along the axis stays; the part across it turns by "
+    "{angle_deg:g} degrees on a circle around the axis."
+)
+def split_by_axis(angle_deg: float = 70.0) -> Figure:
+    """Show the parts of a vector that a turn about an axis keeps and turns.
+
+    Parameters
+    ----------
+    angle_deg : float
+        Angle of the turn, degrees.
+
+    Returns
+    -------
+    Figure
+        Axis, vector, its two parts, and the vector after the turn.
+    """
+    n, X = np.array([0.0, 0, 1]), np.array([-0.8, -0.45, 0.9])
+    along, R = n * (n @ X), rotation_about_axis(n, np.radians(angle_deg))
+    view = onlooker((3.0, -4.4, 2.3), (0.0, 0.0, 0.55), 1180)
+    fig, ax = panels(1, 1, (6.4, 3.9))
+    sketch(ax)
+    reach = np.linalg.norm(X - along)
+    show_path(ax, view, along + reach * _ring(n), "guide", lw=1, ls=(0, (4, 3)))
+    show_arrow(ax, view, 0 * n, 1.5 * n, "camera")
+    show_path(ax, view, np.array([0 * n, along]), "image", lw=5)
+    for end, name in ((X, "$X$"), (R @ X, "$R X$")):
+        show_arrow(ax, view, 0 * n, end, "object")
+        show_path(ax, view, np.array([along, end]), "image", lw=2.5)
+        write(ax, view.project(1.12 * end), name, fontsize=13)
+    write(ax, view.project(1.58 * n), "axis $n$", "camera")
+    write(ax, view.project(0.7 * along) - np.array([34.0, 0]), "stays", "image")
+    middle = rotation_about_axis(n, np.radians(angle_deg) / 2) @ X
+    write(ax, view.project(0.6 * along + 0.62 * middle), "turns", "image")
+    ax.set(xlim=(60, 580), ylim=(400, 20))
+    return fig
+
+
+@figure(
     "A camera's three turning axes, drawn as rings. At a tilt of 90 degrees the ring of the pan "
     "and the ring of the roll lie in one plane."
 )

@@ -102,6 +102,34 @@ def _grid(ax: Axes, circle: Floats, mm_from_pixel: Floats) -> None:
 
 
 @figure(
+    "How a camera is aimed: z points to the target, x is level, at right angles to z and to the "
+    "direction up, and y is at right angles to both."
+)
+def looking_at() -> Figure:
+    """Show how the axes of a camera follow from its place, its target and the direction up.
+
+    Returns
+    -------
+    Figure
+        Camera, target, the direction up, and the three axes.
+    """
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.5))
+    sketch(ax)
+    view = onlooker((3.0, -5.4, 3.4), (0.6, 0.6, 0.7), 1000)
+    target = np.array([1.9, 2.2, 0.2])
+    camera = onlooker((-0.5, -0.3, 1.2), target, 700)
+    show_path(ax, view, np.array([camera.centre, target]), "guide", lw=1.2, ls=(0, (5, 3)))
+    show_arrow(ax, view, camera.centre, camera.centre + np.array([0, 0, 0.8]), "image")
+    write(ax, view.project(camera.centre + np.array([0, 0, 0.9])), "up", "image")
+    show_axes(ax, view, camera.centre, 0.8 * camera.R, "xyz", "camera")
+    for point, name in ((target, "target"), (camera.centre, "eye")):
+        ax.plot(*view.project(point), "o", color=BLACK, ms=8)
+        write(ax, view.project(point) + np.array([-12.0, 14]), name, ha="right")
+    ax.set(xlim=(60, 600), ylim=(400, 10))
+    return fig
+
+
+@figure(
     "A camera on a gimbal: the two axes cross in the mount, and the centre of projection is "
     "offset from it, so that it moves on a circle when the gimbal pans."
 )
@@ -143,7 +171,7 @@ def _mount(ax: Axes, view: Camera, mount: Floats, axes: dict[str, Floats]) -> No
     show_path(ax, view, np.array([mount - (0, 0, 0.5), mount]), "guide", lw=6)
     for name, axis in axes.items():
         show_arrow(ax, view, mount, mount + axis, "image")
-        write(ax, view.project(mount + 1.13 * axis) + np.array([-18.0, 6]), name, "image")
+        write(ax, view.project(mount + 1.13 * axis) + np.array([-34.0, 6]), name, "image")
     ax.plot(*view.project(mount), "o", color=BLACK, ms=8)
     write(ax, view.project(mount) + np.array([-14.0, 8]), "mount", ha="right")
 
