@@ -21,7 +21,7 @@ from course_lib.camera import (
     vanishing_point,
 )
 from course_lib.checks import DegenerateConfigurationError
-from course_lib.transforms import look_at
+from course_lib.transforms import look_at, rotation_from_omega_phi_kappa
 
 SENSOR, IMAGE = (36.0, 24.0), (6000, 4000)
 K = np.array([[810.0, 3.0, 318.0], [0.0, 790.0, 242.0], [0.0, 0.0, 1.0]])
@@ -302,6 +302,16 @@ class TestProject:
         v = 790 * Y / Z + 242
         u = 810 * X / Z + 3 * Y / Z + 318
         np.testing.assert_allclose(project(points, cam.P), np.column_stack([u, v]), rtol=1e-12)
+
+    def test_photogrammetric_form_is_the_same_camera(self):
+        """``(i, j) = I(π(R (L − C)))``, with the interior orientation I and the landmark L."""
+        R, C = rotation_from_omega_phi_kappa(1.1, 0.9, 0.4), np.array([4.0, -3, 2])
+        cam = Camera(K, R, -R @ C, (640, 480))
+        for L in C + np.random.default_rng(5).uniform((-1, -1, 2), (1, 1, 9), (20, 3)) @ R:
+            x, y, z = R @ (L - C)
+            i = 318 + 810 * x / z + 3 * y / z
+            j = 242 + 790 * y / z
+            np.testing.assert_allclose(cam.project(L), (i, j))
 
     @pytest.mark.parametrize("scale", [-1, 3, -0.01, 1e40])
     def test_scale_and_sign_mean_nothing(self, scale):
