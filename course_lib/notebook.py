@@ -138,6 +138,10 @@ def _shaped(result: Any, expected: Any) -> Any:
         if not several or len(result) != len(expected):
             raise _UnusableError(f"returns {describe(result)} instead of {len(expected)} results.")
         return tuple(_shaped(*pair) for pair in zip(result, expected, strict=True))
+    if isinstance(expected, dict):
+        if not isinstance(result, dict):
+            raise _UnusableError(f"returns {describe(result)} instead of a dictionary.")
+        return result
     shape = np.shape(expected)
     kind = f"an array of shape {shape}" if shape else "a number"
     if result is None:

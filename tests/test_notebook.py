@@ -79,6 +79,15 @@ def test_too_few_or_wrong_results_are_none_and_say_why(
     assert said in capsys.readouterr().out
 
 
+def test_a_dictionary_comes_back_as_it_is(capsys: pytest.CaptureFixture[str]) -> None:
+    parts = {"focal_length": (50.0, 50.0)}
+    assert attempt(named(lambda name: parts, "parse_lens_name"), "50mm f/1.8") == parts
+    assert attempt(named(lambda name: (50.0, 50.0), "parse_lens_name"), "50mm f/1.8") is None
+    assert "parse_lens_name returns a tuple of 2 values instead of a dictionary" in (
+        capsys.readouterr().out
+    )
+
+
 def test_the_untouched_stub_says_so(capsys: pytest.CaptureFixture[str]) -> None:
     def project_pinhole(points: Any, f: Any, c: Any) -> Any:
         raise NotImplementedError
