@@ -47,10 +47,7 @@ def mean_electrons(photons: ArrayLike, sensor: SensorModel, exposure_time: float
     >>> float(mean_electrons(1000, SensorModel(quantum_efficiency=0.6, dark_current=5), 2))
     610.0
     """
-    photons = check_not_negative(photons, "photons")
-    exposure_time = check_number(
-        check_not_negative(exposure_time, "exposure_time"), "exposure_time"
-    )
+    photons, exposure_time = check_light(photons, exposure_time)
     return sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
 
 
@@ -89,7 +86,9 @@ def sensor_response(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
     >>> sensor_response([0, 2000, 18_000, 90_000], sensor)
     array([  16.,  316., 2716., 3016.])
     """
-    electrons = np.minimum(mean_electrons(photons, sensor, exposure_time), sensor.full_well)
+    photons, exposure_time = check_light(photons, exposure_time)
+    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
+    electrons = np.minimum(electrons, sensor.full_well)
     return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
 
 
@@ -212,6 +211,12 @@ def digitise(levels: ArrayLike, sensor: SensorModel) -> NDArray[np.unsignedinteg
     kind = np.uint8 if sensor.bits <= 8 else np.uint16
     whole = np.rint(levels)
     return np.clip(whole, 0, sensor.white, out=whole if whole.ndim else None).astype(kind)
+
+
+def check_light(photons: ArrayLike, exposure_time: float) -> tuple[Array, float]:
+    """Return photons and seconds as numbers from zero upwards; the seconds are one number."""
+    seconds = check_number(check_not_negative(exposure_time, "exposure_time"), "exposure_time")
+    return check_not_negative(photons, "photons"), seconds
 
 
 def _poisson(mean: Array, rng: np.random.Generator) -> Array:

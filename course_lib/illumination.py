@@ -34,7 +34,7 @@ def silhouette(image: ArrayLike, threshold: float) -> NDArray[np.bool_]:
     TypeError, ValueError
         If the picture is not one of grey values.
     """
-    return np.asarray(_check_grey(image) < check_number(threshold, "threshold"))
+    return np.asarray(check_grey(image) < check_number(threshold, "threshold"))
 
 
 def silhouette_area(image: ArrayLike, threshold: float, pixel_size: ArrayLike) -> float:
@@ -70,7 +70,7 @@ def silhouette_area(image: ArrayLike, threshold: float, pixel_size: ArrayLike) -
     >>> silhouette_area([[15, 15, 15], [15, 1, 15], [0, 0, 15]], threshold=8, pixel_size=0.5)
     0.75
     """
-    dark = _check_grey(image) < check_number(threshold, "threshold")
+    dark = check_grey(image) < check_number(threshold, "threshold")
     size = check_positive(pixel_size, "pixel_size")
     width, height = (size, size) if size.ndim == 0 else check_size(size, "pixel_size")
     return float(np.count_nonzero(dark) * width * height)
@@ -114,9 +114,8 @@ def stripe_height(shift: ArrayLike, light_angle: float, camera_angle: float = 0.
     array([0. , 2.5])
     """
     shift = check_numbers(shift, "shift")
-    _check_slants(light_angle, camera_angle)
-    slope = float(np.tan(light_angle) + np.tan(camera_angle))
-    return shift / slope
+    check_slants(light_angle, camera_angle)
+    return shift / float(np.tan(light_angle) + np.tan(camera_angle))
 
 
 def correct_lamp_drift(
@@ -167,7 +166,8 @@ def _mean(values: ArrayLike, name: str) -> float:
     return float(array.mean())
 
 
-def _check_grey(image: ArrayLike) -> Array:
+def check_grey(image: ArrayLike) -> Array:
+    """Return a picture of grey values, shape (rows, columns), as `float64`."""
     array = check_numbers(image, "image")
     if array.ndim != 2 or not array.size:
         raise ValueError(
@@ -176,7 +176,8 @@ def _check_grey(image: ArrayLike) -> Array:
     return array
 
 
-def _check_slants(light_angle: float, camera_angle: float) -> None:
+def check_slants(light_angle: float, camera_angle: float) -> None:
+    """Raise unless light and camera look at a height from two sides."""
     for angle, name in ((light_angle, "light_angle"), (camera_angle, "camera_angle")):
         if abs(check_number(angle, name)) >= np.pi / 2:
             raise ValueError(

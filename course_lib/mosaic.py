@@ -11,18 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from course_lib.checks import Array, check_numbers
 
-#: Steps (rows, columns) to the neighbours that a missing colour is the mean of.
-ACROSS, UPRIGHT = ((0, -1), (0, 1)), ((-1, 0), (1, 0))
-CROSS = ACROSS + UPRIGHT
-DIAGONAL = ((-1, -1), (-1, 1), (1, -1), (1, 1))
-#: Steps for red, green and blue at the four places of an RGGB square; none: the pixel has seen it.
-STEPS = {
-    (0, 0): ((), CROSS, DIAGONAL),
-    (0, 1): (ACROSS, (), UPRIGHT),
-    (1, 0): (UPRIGHT, (), ACROSS),
-    (1, 1): (DIAGONAL, CROSS, ()),
-}
-
 
 def bayer_masks(shape: tuple[int, ...], pattern: str = "RGGB") -> NDArray[np.bool_]:
     """Return which pixels of a mosaic see which colour.
@@ -141,12 +129,21 @@ def demosaic_bilinear(mosaic: ArrayLike) -> Array:
     array([10.,  2.,  7.])
     """
     mosaic = check_numbers(mosaic, "mosaic")
-    image = np.repeat(mosaic[..., None], 3, axis=-1)
-    bayer_masks(mosaic.shape)  # whole squares only
+    bayer_masks(mosaic.shape)  # raises unless there are whole squares
     rows, columns = mosaic.shape
-    # A frame of zeros, 1 px wide, lets every pixel have 8 neighbours; those inside are counted.
+    # Steps to the neighbours that hold a colour; none where the pixel has seen it itself.
+    across, upright = [(0, -1), (0, 1)], [(-1, 0), (1, 0)]
+    cross, diagonal = across + upright, [(-1, -1), (-1, 1), (1, -1), (1, 1)]
+    places = {
+        (0, 0): ([], cross, diagonal),
+        (0, 1): (across, [], upright),
+        (1, 0): (upright, [], across),
+        (1, 1): (diagonal, cross, []),
+    }
+    # A frame of zeros lets every pixel have 8 neighbours; only those inside are counted.
     values, inside = np.pad(mosaic, 1), np.pad(np.ones(mosaic.shape), 1)
-    for (row, column), colours in STEPS.items():
+    image = np.repeat(mosaic[..., None], 3, axis=-1)
+    for (row, column), colours in places.items():
         for colour, steps in enumerate(colours):
             starts = [(1 + row + r, 1 + column + c) for r, c in steps]
             near = [np.s_[top : top + rows : 2, left : left + columns : 2] for top, left in starts]

@@ -15,7 +15,7 @@ from course_lib.checks import (
     check_number,
     check_numbers,
 )
-from course_lib.detector import mean_electrons
+from course_lib.detector import check_light
 from course_lib.sensor_model import SensorModel
 
 #: Share of pixels at the largest number from which on a picture counts as saturated.
@@ -60,10 +60,11 @@ def signal_to_noise(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
     >>> signal_to_noise([20, 20_000], sensor).round(2)
     array([ 0.95, 99.5 ])
     """
-    electrons = mean_electrons(photons, sensor, exposure_time)
-    signal = electrons - sensor.dark_current * exposure_time
-    noise = np.sqrt(electrons + sensor.read_noise**2 + sensor.quantisation_noise**2)
-    return signal / noise
+    photons, exposure_time = check_light(photons, exposure_time)
+    signal = sensor.quantum_efficiency * photons
+    # Independent noises add by their variances; that of counted electrons is their number.
+    shot = signal + sensor.dark_current * exposure_time
+    return signal / np.sqrt(shot + sensor.read_noise**2 + sensor.quantisation_noise**2)
 
 
 def dynamic_range(sensor: SensorModel) -> float:
@@ -122,7 +123,7 @@ def clipped_fraction(image: ArrayLike, black: float = 0, white: float = 255) -> 
     >>> clipped_fraction([[0, 7, 255, 255], [3, 0, 254, 255]])
     array([0.25 , 0.375])
     """
-    image = _check_picture(image, "image")
+    image = check_picture(image, "image")
     black, white = check_number(black, "black"), check_number(white, "white")
     if black >= white:
         raise ValueError(f"black must be below white, got {black:g} and {white:g}")
@@ -171,12 +172,12 @@ def camera_gain_from_pairs(
     Pictures are often unsigned whole numbers, which wrap around below zero: make them `float`
     before you subtract.
     """
-    first, second, dark_first, dark_second = _check_pairs(first, second, dark_first, dark_second)
+    first, second, dark_first, dark_second = check_pairs(first, second, dark_first, dark_second)
     mean = (first + second).mean(axis=(1, 2)) / 2 - (dark_first + dark_second).mean() / 2
     # Var(a - b) = 2 Var(a) for independent a and b of the same distribution.
     variance = (first - second).var(axis=(1, 2)) / 2 - (dark_first - dark_second).var() / 2
-    clipped = np.maximum(*((pictures >= white).mean(axis=(1, 2)) for pictures in (first, second)))
-    good = (clipped <= SATURATED) & (mean > 0)
+    clipped = [(pictures >= white).mean(axis=(1, 2)) for pictures in (first, second)]
+    good = (np.max(clipped, axis=0) <= SATURATED) & (mean > 0)
     if not good.any():
         raise DegenerateConfigurationError(
             "no pair is both brighter than the dark pictures and not saturated: take others"
@@ -225,10 +226,10 @@ def flat_field(image: ArrayLike, dark: ArrayLike, flat: ArrayLike) -> Array:
     array([[75., 75.]])
     """
     image, dark, flat = (
-        _check_picture(picture, name)
+        check_picture(picture, name)
         for picture, name in ((image, "image"), (dark, "dark"), (flat, "flat"))
     )
-    _check_same_shape(image, {"dark": dark, "flat": flat})
+    check_same_shape(image, {"dark": dark, "flat": flat})
     light = flat - dark
     if (light <= 0).any():
         count = np.count_nonzero(light <= 0)
@@ -236,11 +237,11 @@ def flat_field(image: ArrayLike, dark: ArrayLike, flat: ArrayLike) -> Array:
             f"flat is not brighter than dark in {count} of {light.size} values: these pixels are "
             "dead, or the two pictures were exchanged. Mend them from their neighbours first"
         )
-    average: Array = light.mean(axis=(0, 1))
-    return (image - dark) / light * average
+    return np.asarray((image - dark) / light * light.mean(axis=(0, 1)))
 
 
-def _check_pairs(*pictures: ArrayLike) -> list[Array]:
+def check_pairs(*pictures: ArrayLike) -> list[Array]:
+    """Return the pairs of `camera_gain_from_pairs` as `float64`, once their shapes fit."""
     names = ("first", "second", "dark_first", "dark_second")
     arrays = [check_not_negative(p, name) for p, name in zip(pictures, names, strict=True)]
     if arrays[0].ndim != 3 or not arrays[0].size:
@@ -255,7 +256,8 @@ def _check_pairs(*pictures: ArrayLike) -> list[Array]:
     return arrays
 
 
-def _check_picture(value: ArrayLike, name: str) -> Array:
+def check_picture(value: ArrayLike, name: str) -> Array:
+    """Return a picture, of grey values or colours, as `float64`."""
     array = check_numbers(value, name)
     if array.ndim not in (2, 3) or not array.size:
         raise ValueError(
@@ -264,7 +266,8 @@ def _check_picture(value: ArrayLike, name: str) -> Array:
     return array
 
 
-def _check_same_shape(image: Array, others: dict[str, Array]) -> None:
+def check_same_shape(image: Array, others: dict[str, Array]) -> None:
+    """Raise unless each of the named pictures has the shape of `image`."""
     for name, other in others.items():
         if other.shape != image.shape:
             raise ValueError(
