@@ -90,7 +90,7 @@ def test_the_photograph_shows_skew_and_aspect_as_rays_do():
 
 def test_the_axes_are_drawn_two_metres_long_from_the_centre():
     frame = WHOLE(**state(pan=25, roll=10))
-    camera, (view, _) = whole.whole_camera(**state(pan=25, roll=10)), whole._bird()
+    camera, (view, *_) = whole.whole_camera(**state(pan=25, roll=10)), whole._bird()
     axes = [np.asarray(line.points) for line in frame.pictures[1].lines if line.role == "second"]
     for row, axis in zip(camera.R, axes, strict=True):
         ends = np.array([camera.centre, camera.centre + 2 * row])

@@ -105,7 +105,7 @@ def whole_camera_frame(**numbers: float) -> Frame:
 
 def _photograph(camera: Camera, pixel: Floats | None, words: str) -> Picture:
     """Return what the camera sees, with the lamp in a ring."""
-    centre = f"({camera.centre[0]:.1f}, {camera.centre[1]:.1f}, {camera.centre[2]:.1f}) m"
+    centre = "({:.1f}, {:.1f}, {:.1f}) m".format(*camera.centre)
     return Picture(
         "What the camera sees",
         f"Photograph of a street from {centre}. The lamp is at {words}.",
@@ -119,16 +119,15 @@ def _photograph(camera: Camera, pixel: Floats | None, words: str) -> Picture:
 
 def _outside(camera: Camera) -> Picture:
     """Return the street from above, with the camera, its axes and its frustum."""
-    view, picture = _bird()
-    lamp = view.project(LAMP)
-    ends = camera.centre + AXIS * camera.R
-    origin, tips = view.project(camera.centre), view.project(ends)
+    view, picture, lamp = _bird()
+    centre = camera.centre
+    origin, *tips = view.project(np.vstack([centre, centre + AXIS * camera.R]))
     axes = tuple(Line(np.array([origin, tip]), "second", 2.0) for tip in tips)
     names = tuple(
         Label(name, _pair(tip + 0.35 * (tip - origin)), "second", "middle")
         for name, tip in zip("xyz", tips, strict=True)
     )
-    x, y, z = camera.centre
+    x, y, z = centre
     return Picture(
         "The camera from outside",
         f"The street from above, with the camera at ({x:.1f}, {y:.1f}, {z:.1f}) m, its axes and "
@@ -159,8 +158,8 @@ def _pair(pixel: ArrayLike) -> tuple[float, float]:
 
 
 @cache
-def _bird() -> tuple[Camera, NDArray[np.uint8]]:
-    """Return the camera above the street and its photograph, which stays the same."""
+def _bird() -> tuple[Camera, NDArray[np.uint8], Floats]:
+    """Return the camera above the street, its photograph and the lamp in it: they stay the same."""
     K = first_guess_intrinsics(37, (36, 36 * VIEW_SIZE[1] / VIEW_SIZE[0]), VIEW_SIZE)
     view = camera_at((-11, -17, 11), (0.2, 2.5, 1.4), K, VIEW_SIZE)
-    return view, renderer().picture(view)
+    return view, renderer().picture(view), view.project(LAMP)

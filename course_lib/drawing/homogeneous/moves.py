@@ -170,7 +170,7 @@ def _legend(ax: Axes, drawn: bool) -> None:
     "A vector X and an axis n. The part of X along the axis stays; the part across it turns by "
     "{angle_deg:g} degrees on a circle around the axis."
 )
-def split_by_axis(angle_deg: float = 70.0) -> Figure:
+def split_by_axis(angle_deg: float = 110.0) -> Figure:
     """Show the parts of a vector that a turn about an axis keeps and turns.
 
     Parameters
@@ -197,7 +197,7 @@ def split_by_axis(angle_deg: float = 70.0) -> Figure:
         show_path(ax, view, np.array([along, end]), "image", lw=2.5)
         write(ax, view.project(1.12 * end), name, fontsize=13)
     write(ax, view.project(1.58 * n), "axis $n$", "camera")
-    write(ax, view.project(0.7 * along) - np.array([34.0, 0]), "stays", "image")
+    write(ax, view.project(0.5 * along) - np.array([30.0, 0]), "stays", "image")
     middle = rotation_about_axis(n, np.radians(angle_deg) / 2) @ X
     write(ax, view.project(0.6 * along + 0.62 * middle), "turns", "image")
     ax.set(xlim=(60, 580), ylim=(400, 20))
