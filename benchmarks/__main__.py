@@ -14,6 +14,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "importing": compute.importing,
     "projecting": compute.projecting,
     "rendering": compute.rendering,
+    "defocusing": compute.defocusing,
     "starting": commands.starting,
     "building": commands.building,
 }

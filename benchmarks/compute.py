@@ -84,6 +84,67 @@ def project_times(rounds: int = 15) -> dict[str, list[float]]:
     return times
 
 
+def defocusing(rounds: int = 41) -> list[Row]:
+    """Measure the street with signs, 640 x 480: aperture, focus and noise new in every frame.
+
+    By the processor time of this process, on one core, as others may want the same core.
+    """
+    import cv2
+
+    threads = cv2.getNumThreads()
+    cv2.setNumThreads(1)
+    quick, rays = _through_a_lens()
+    taken = [processor_time(lambda turn=turn: quick(turn)) for turn in range(rounds)][1:]
+    theirs = processor_time(rays)
+    cv2.setNumThreads(threads)
+    what, peer = "lens and noise, 640 × 480", "4 rays a pixel, grainy"
+    return [
+        Row(f"{what}: median", statistics.median(taken), "ms", peer, theirs, "≤ 17 ms"),
+        Row(f"{what}: fastest of {rounds - 1}", min(taken), "ms"),
+        Row(f"{what}: slowest", max(taken), "ms"),
+    ]
+
+
+def _through_a_lens() -> tuple[Callable[[int], object], Callable[[], object]]:
+    """Return functions that take a photograph through a lens: a quick one, and one by rays."""
+    import numpy as np
+
+    from course_lib.camera import Camera, camera_at
+    from course_lib.sensor import SensorModel
+    from data_generators.defocus import DefocusedView
+    from data_generators.lens import Lens
+    from data_generators.quick_sensor import QuickSensor, developed
+    from data_generators.render import photograph
+    from data_generators.shot import Shot
+    from data_generators.signs import VIEWPOINT, street_with_signs
+
+    size, sensor = (640, 480), SensorModel()
+    view, grain = DefocusedView(street_with_signs()), QuickSensor(size, np.random.default_rng(1))
+
+    def camera(lens: Lens) -> Camera:
+        K = lens.intrinsics(36 / size[0], size)
+        return camera_at(VIEWPOINT, VIEWPOINT + np.array([0.0, 1.0, 0.0]), K, size)
+
+    def quick(turn: int) -> object:
+        lens = Lens(f=50, N=1.4 * 1.06**turn, focus_distance=500 * 1.09**turn)
+        light = view.picture(camera(lens), lens)
+        return developed(grain.numbers(light, sensor, 20_000, frame=turn), sensor)
+
+    def rays() -> object:
+        lens = Lens(f=50, N=2.8, focus_distance=2000)
+        shot, rng = Shot(lens=lens, sensor=sensor), np.random.default_rng(1)
+        return photograph(view.renderer.scene, camera(lens), shot=shot, samples=2, rng=rng)
+
+    return quick, rays
+
+
+def processor_time(function: Callable[[], object]) -> float:
+    """Return the processor time that a function takes, ms."""
+    start = time.process_time()
+    function()
+    return 1000 * (time.process_time() - start)
+
+
 def alternating(one: Callable[[], object], other: Callable[[], object], rounds: int) -> list[float]:
     """Return the medians of two functions that take turns, ms; the first round is dropped."""
     times: list[list[float]] = [[], []]
