@@ -7,6 +7,7 @@ origin; the world has z up. Pixel ``(0, 0)`` is the centre of the top-left pixel
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -79,22 +80,21 @@ class Camera:
             ("R", check_rotation(self.R)),
             ("t", check_vector(self.t, 3, "t")),
         ):
-            object.__setattr__(self, name, value.copy())
-            getattr(self, name).setflags(write=False)
+            object.__setattr__(self, name, _read_only(value.copy()))
         width, height = check_size(self.image_size, "image_size")
         if (width, height) != (width // 1, height // 1):
             raise ValueError(f"image_size must be whole pixels, got {self.image_size}")
         object.__setattr__(self, "image_size", (int(width), int(height)))
 
-    @property
+    @cached_property
     def P(self) -> Array:
         """The camera matrix ``K [R | t]``, shape (3, 4)."""
-        return camera_matrix(self.K, self.R, self.t)
+        return _read_only(camera_matrix(self.K, self.R, self.t))
 
-    @property
+    @cached_property
     def centre(self) -> Array:
         """The centre of projection in the world frame, shape (3,)."""
-        return camera_centre(self.R, self.t)
+        return _read_only(camera_centre(self.R, self.t))
 
     def project(self, points: ArrayLike) -> Array:
         """Return the image of world points.
@@ -135,6 +135,11 @@ class Camera:
             If the shape is wrong or a number is not finite.
         """
         return pixel_ray(pixels, self.K, self.R, self.t)[1]
+
+
+def _read_only(array: Array) -> Array:
+    array.setflags(write=False)
+    return array
 
 
 def camera_at(

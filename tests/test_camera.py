@@ -218,8 +218,9 @@ class TestCamera:
         cam = Camera(mine, np.eye(3), np.zeros(3), (640, 480))
         mine[0, 0] = 1
         assert cam.K[0, 0] == 810
-        with pytest.raises(ValueError, match="read-only"):
-            cam.K[0, 0] = 1
+        for array in (cam.K, cam.R, cam.t, cam.P, cam.centre):
+            with pytest.raises(ValueError, match="read-only"):
+                array[0] = 1
 
     def test_round_trip(self):
         cam = a_camera()

@@ -23,6 +23,10 @@ TO_HOMOGENEOUS = Exercise(
             "Which number lets a translation act?",
         ),
         Misconception(
+            wrong.one_for_all,
+            "You appended a single number. How many points came in, and where is their table now?",
+        ),
+        Misconception(
             wrong.one_in_front,
             "At which end of the row does the course keep w? Look at the example.",
         ),

@@ -13,6 +13,10 @@ def zero_appended(points):
     return np.concatenate([points, np.zeros_like(points[..., :1])], axis=-1)
 
 
+def one_for_all(points):
+    return np.append(points, 1)
+
+
 def one_in_front(points):
     return np.concatenate([np.ones_like(points[..., :1]), points], axis=-1)
 
