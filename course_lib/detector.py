@@ -40,7 +40,7 @@ def mean_electrons(photons: ArrayLike, sensor: SensorModel, exposure_time: float
 
     References
     ----------
-    EMVA Standard 1288, release 4.0, section 2.1.
+    EMVA Standard 1288, release 4.0 (linear), section 2.
 
     Examples
     --------
@@ -78,7 +78,7 @@ def sensor_response(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
 
     References
     ----------
-    EMVA Standard 1288, release 4.0, section 2.2.
+    EMVA Standard 1288, release 4.0 (linear), section 2.
 
     Examples
     --------
@@ -132,7 +132,7 @@ def expose(
 
     References
     ----------
-    EMVA Standard 1288, release 4.0, section 2; J. Janesick, Photon Transfer, chapter 3.
+    EMVA Standard 1288, release 4.0 (linear), section 2; J. Janesick, Photon Transfer, chapter 3.
     """
     electrons = _poisson(mean_electrons(photons, sensor, exposure_time), rng)
     electrons = np.minimum(electrons, sensor.full_well)

@@ -80,7 +80,7 @@ def equivalent_exposure(
 
     References
     ----------
-    S. Ray, Applied Photographic Optics, 3rd ed., chapter 20 (exposure).
+    S. Ray, Applied Photographic Optics, 3rd ed., on exposure.
 
     Examples
     --------
@@ -219,8 +219,8 @@ def photons_per_pixel(
 
     References
     ----------
-    E. Hecht, Optics, 5th ed., section 5.7; W. J. Smith, Modern Optical Engineering, 4th ed.,
-    section 8.8: the illuminance behind a lens is π L / (4 N² (1 + m)²).
+    W. J. Smith, Modern Optical Engineering, 4th ed., on radiometry: the illuminance behind a lens
+    is π L / (4 N² (1 + m)²).
 
     Examples
     --------

@@ -32,7 +32,7 @@ def vignetting(angle: ArrayLike) -> Array:
 
     References
     ----------
-    W. J. Smith, Modern Optical Engineering, 4th ed., section 8.9 (cosine-fourth).
+    W. J. Smith, Modern Optical Engineering, 4th ed., on radiometry (the cosine-fourth law).
 
     Examples
     --------

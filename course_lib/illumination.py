@@ -105,7 +105,7 @@ def stripe_height(shift: ArrayLike, light_angle: float, camera_angle: float = 0.
 
     References
     ----------
-    T. Luhmann et al., Close-Range Photogrammetry and 3D Imaging, 4th ed., section 6.7 (light
+    T. Luhmann et al., Close-Range Photogrammetry and 3D Imaging, 4th ed., chapter 6 (light
     sectioning).
 
     Examples

@@ -52,7 +52,7 @@ def signal_to_noise(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
 
     References
     ----------
-    EMVA Standard 1288, release 4.0, section 2.4.
+    EMVA Standard 1288, release 4.0 (linear), section 2.
 
     Examples
     --------
@@ -83,7 +83,7 @@ def dynamic_range(sensor: SensorModel) -> float:
 
     References
     ----------
-    EMVA Standard 1288, release 4.0, section 2.4 (dynamic range).
+    EMVA Standard 1288, release 4.0 (linear), section 2.
 
     Examples
     --------
@@ -165,7 +165,7 @@ def camera_gain_from_pairs(
 
     References
     ----------
-    J. Janesick, Photon Transfer, chapter 5; EMVA Standard 1288, release 4.0, section 6.
+    J. Janesick, Photon Transfer, chapters 5 and 6; EMVA Standard 1288, release 4.0 (linear).
 
     Notes
     -----
@@ -211,7 +211,7 @@ def flat_field(image: ArrayLike, dark: ArrayLike, flat: ArrayLike) -> Array:
 
     References
     ----------
-    J. Janesick, Photon Transfer, chapter 6 (flat fielding).
+    J. Janesick, Photon Transfer, chapter 8 (flat fielding).
 
     Notes
     -----

@@ -40,7 +40,7 @@ class SensorModel:
 
     References
     ----------
-    EMVA Standard 1288, release 4.0, section 2 (the linear camera model).
+    EMVA Standard 1288, release 4.0 (linear), section 2.
     """
 
     quantum_efficiency: float = 0.6

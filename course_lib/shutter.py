@@ -35,7 +35,7 @@ def motion_blur_pixels(speed: ArrayLike, exposure_time: ArrayLike, pixel_size: A
 
     References
     ----------
-    T. Luhmann et al., Close-Range Photogrammetry and 3D Imaging, 4th ed., section 3.4.
+    T. Luhmann et al., Close-Range Photogrammetry and 3D Imaging, 4th ed., chapter 3.
 
     Examples
     --------

@@ -115,6 +115,10 @@ SENSOR_RESPONSE = Exercise(
             "With 12 bits, which is the largest number that can be written?",
         ),
         Misconception(
+            wrong.clipped_too_early,
+            "You clip, and something is added afterwards. Can a file hold what comes out?",
+        ),
+        Misconception(
             wrong.well_without_brim,
             "Before anything is amplified: can a pixel hold any number of electrons?",
         ),

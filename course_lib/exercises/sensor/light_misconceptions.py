@@ -92,6 +92,12 @@ def numbers_without_end(photons, sensor, exposure_time=0.0):
     return sensor.gain * np.minimum(electrons, sensor.full_well) + sensor.offset
 
 
+def clipped_too_early(photons, sensor, exposure_time=0.0):
+    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
+    electrons = np.minimum(electrons, sensor.full_well)
+    return np.minimum(sensor.gain * electrons, sensor.white) + sensor.offset
+
+
 def well_without_brim(photons, sensor, exposure_time=0.0):
     electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
     return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
