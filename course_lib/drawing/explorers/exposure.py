@@ -27,7 +27,7 @@ Light = NDArray[np.float32]
 #: The lens and its distance from the belt; the carton with the label is nearer. All mm.
 F, DISTANCE, CARTON = 25.0, 500.0, 45.0
 #: The camera at ISO 100.
-SENSOR = SensorModel(full_well=20_000, read_noise=6, gain=0.2, offset=64, bits=12)
+SENSOR = SensorModel(full_well=20_000, read_noise=6, gain=0.205, offset=64, bits=12)
 PAPER = 0.85  # reflectance of the label
 WHITE_ON_SCREEN = 0.8  # what brightening makes of the label
 SIDE_SIZE = (260, 320)

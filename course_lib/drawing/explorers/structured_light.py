@@ -16,6 +16,7 @@ SIZE, PIXEL = (400, 300), 0.1  # px, mm
 PERIOD, WIDTH = 3.0, 0.8  # mm: of the pattern of many stripes
 LINE_WIDTH = 0.6  # mm: of a single stripe
 ONE, MANY = "one line", "many stripes"
+HIDDEN = "This stripe meets an upright side, which is not seen from above."
 SIDE_SIZE = (400, 190)
 SIDE_ZERO, SIDE_SCALE = (200.0, 150.0), 9.6  # px of x = 0 on the table; px a mm
 LIGHT, TABLE = np.array([255, 92, 70], np.float32), np.array([226, 226, 220], np.float32)
@@ -55,7 +56,7 @@ def structured_light_frame(
     above = Picture(
         "Seen from straight above",
         f"Stripes of light, {angle_deg:g}° from the vertical, on a {shape} of {height:g} mm. "
-        + (words if np.isfinite(shift) else "The stripe lies in a shadow."),
+        + (words if np.isfinite(shift) else HIDDEN),
         SIZE,
         _photograph(shape, height, angle, pattern, place),
         lines=_marks(seen, place),
@@ -78,7 +79,7 @@ def _readouts(shift: float, found: float, truth: float, angle: float) -> tuple[R
 
 
 def _number(value: float, digits: int) -> str:
-    return f"{value:.{digits}f}" if np.isfinite(value) else "in shadow"
+    return f"{value:.{digits}f}" if np.isfinite(value) else "not seen"
 
 
 @lru_cache(maxsize=16)
