@@ -162,7 +162,7 @@ def _named(x: Floats, y: Floats, text: str, role: str, anchor: str) -> tuple[Lab
     inside = np.flatnonzero((y > low) & (y < high))
     if not inside.size:
         return ()
-    at = AXES.at(x[inside[0]], y[inside[0]], *((8, -10) if anchor == "start" else (2, 16)))
+    at = AXES.at(x[inside[0]], y[inside[0]], *((8, -10) if anchor == "start" else (2, 32)))
     return (Label(text, at, role, anchor),)
 
 

@@ -120,15 +120,15 @@ def blur_against_distance(
     write(ax, (Z[-1], c), f"c = {c:.2g} mm ", "guide", ha="right", va="bottom")
     ax.axvspan(near, min(far, Z[-1]), color=ROLES["image"], alpha=0.2, lw=0)
     end = "∞" if np.isinf(far) else f"{far:.0f} mm"
-    top = max(1.05 * float(spot[-1]), 1.3 * c)
-    write(ax, ((near + min(far, Z[-1])) / 2, 0.88 * top), f"{near:.0f} mm\nto {end}", "image")
+    top = max(1.3 * float(spot[-1]), 1.3 * c)
+    write(ax, ((near + min(far, Z[-1])) / 2, 0.85 * top), f"{near:.0f} mm\nto {end}", "image")
     drawn = same_shape(yours, np.zeros(2))
     if drawn is not None and np.isfinite(drawn).any():
         style = {"color": ROLES["second"], "ms": 15, "ls": "", "zorder": 5}
         ax.plot(drawn, [c, c], "*", label="your limits", **style)
     ax.set(xlabel="distance Z of the point (mm)", ylabel="diameter of the spot (mm)")
     ax.set(xlim=(Z[0], Z[-1]), ylim=(0, top))
-    ax.legend(loc="upper left")
+    ax.legend(loc="upper right")
     return fig
 
 
@@ -163,8 +163,8 @@ def ranges(
         ax.barh(row, min(far, end) - near, left=near, height=0.5, color=ROLES["image"], alpha=0.45)
         ax.plot(distance / 1000, row, "o", color=BLACK, ms=7)
         label = "∞" if np.isinf(far) else f"{far:.2f}"
-        write(ax, (near * 0.95, row), f"{near:.2f}", ha="right")
-        write(ax, (min(far, end) * 1.05, row), label, ha="left")
+        write(ax, (near * 0.92, row), f"{near:.2f}", ha="right")
+        write(ax, (min(far, end) * 1.09, row), label, ha="left")
         _marks(ax, row, None if yours is None else yours[row], end)
     ax.axvline(H, color=ROLES["guide"], ls=(0, (6, 4)), lw=1.4)
     write(ax, (1.06 * H, -0.75), "hyperfocal distance", "guide", ha="left", fontsize=9)

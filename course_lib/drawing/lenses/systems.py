@@ -95,7 +95,7 @@ def principal_planes(f1: float = 50.0, f2: float = -30.0, d: float = 30.0) -> Fi
         stroke(ax, [(plane, side * y), (d, side * at_second)], "ray", lw=1.2, ls=":")
     for x, lens in ((0, f1), (d, f2)):
         _glass(ax, x, lens)
-        write(ax, (x, 15.2), f"{lens:g} mm", "camera")
+        write(ax, (x, 15.2), f"{lens:g} mm".replace("-", "−"), "camera")
     stroke(ax, [(plane, -13), (plane, 13)], "second", lw=1.8, ls=(0, (5, 3)))
     write(ax, (plane, 15.2), "$H'$", "second")
     ax.plot(focus, 0, "o", color=BLACK, ms=7, zorder=5)

@@ -25,6 +25,7 @@ from course_lib.optics import (
     aperture_for_depth,
     apertures_for_limits,
     circle_of_confusion,
+    image_distance,
 )
 
 if TYPE_CHECKING:
@@ -212,7 +213,8 @@ def sweet_spot(
     N = np.geomspace(1.4, 90, 300)
     _, focus = aperture_for_depth(f, near, far, pitch)
     defocus = circle_of_confusion(near, focus, f, N) / pitch
-    airy = airy_diameter(wavelength, N) / pitch
+    behind = image_distance(f, focus)  # with the working f-number, as the lens is focused near
+    airy = airy_diameter(wavelength, behind / aperture_diameter(f, N)) / pitch
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.8))
     ax.loglog(N, defocus, "--", color=ROLES["ray"], label="defocus at the ends")
     ax.loglog(N, airy, ":", color=ROLES["image"], label=r"diffraction: $2.44\,\lambda N$")
