@@ -60,7 +60,8 @@ def points_on_rays(points: ArrayLike, yours: ArrayLike | None = None) -> Figure:
         end = np.array([x, w]) if np.isnan(place) else max(w, 1.0) * np.array([place, 1])
         stroke(ax, np.array([0 * end, 1.08 * end]), "ray", lw=1.2)
         ax.plot(x, w, "o", color=ROLES["object"], ms=7, zorder=3)
-        write(ax, (x + 0.06, w - 0.1), f"({x:g}, {w:g})", "object", ha="left", fontsize=10)
+        ha, beside = ("left", x + 0.06) if x > 0 else ("right", x - 0.08)
+        write(ax, (beside, w - 0.1), f"({x:g}, {w:g})", "object", ha=ha, fontsize=10)
         ax.plot(place, 1, "o", color=BLACK, mfc="none", ms=12)
     drawn = same_shape(yours, expected)
     if drawn is not None:

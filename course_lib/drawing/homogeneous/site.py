@@ -137,7 +137,10 @@ def imports(poses: Sequence[object], titles: Sequence[str]) -> Figure:
 
 @figure("A map of the street with houses, cameras and what they see; stars mark your results.")
 def street_map(
-    cameras: Sequence[Camera], centres: ArrayLike | None = None, point: ArrayLike | None = None
+    cameras: Sequence[Camera],
+    centres: ArrayLike | None = None,
+    point: ArrayLike | None = None,
+    names: Sequence[str] = ("1", "2", "3"),
 ) -> Figure:
     """Show cameras on a map, and where a student's functions put things.
 
@@ -149,6 +152,8 @@ def street_map(
         Centres that a student's function gave; stars.
     point : array_like, shape (3,), optional
         A point that a student's function gave; a star.
+    names : sequence of str
+        What the cameras are called.
 
     Returns
     -------
@@ -157,11 +162,11 @@ def street_map(
     """
     fig, ax = panels(1, 1, (6.4, 5.4))
     _ground(ax)
-    for number, camera in enumerate(cameras, 1):
+    for name, camera in zip(names, cameras, strict=False):
         _fan(ax, camera)
         ax.plot(*camera.centre[:2], "o", mfc="none", mec=ROLES["camera"], ms=12, mew=2)
         paper = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1}
-        write(ax, camera.centre[:2] + np.array([1.4, 0]), f"{number}", "camera", bbox=paper)
+        write(ax, camera.centre[:2] + np.array([1.4, 0]), name, "camera", bbox=paper)
     ax.plot(*CORNER[:2], "s", mfc="none", mec=BLACK, ms=9, ls="", label="corner of the eaves")
     stars = [same_shape(c, np.zeros(3)) for c in _rows(centres)] + [same_shape(point, np.zeros(3))]
     there = np.array([s[:2] for s in stars if s is not None])

@@ -85,6 +85,7 @@ def columns_of(P: ArrayLike | None, camera: Camera) -> Figure:
     ax.set(xlim=(-300, w + 300), ylim=(h + 640, -70))
     drawn = same_shape(P, np.zeros((3, 4)))
     if drawn is None or not np.isfinite(drawn).all():
+        write(ax, (w / 2, h + 300), "no camera matrix yet", "guide")
         return fig
     columns = [column[:2] / column[2] for column in drawn.T if abs(column[2]) > 1e-9]
     if len(columns) == 4:
