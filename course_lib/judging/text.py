@@ -10,6 +10,8 @@ from course_lib.judging.verdict import Feedback, PartVerdict, Verdict
 
 MARKS = {"right": "✓", "not attempted": "○"}
 WRONG = "✗"
+#: Numbers in a stack of pictures from which on only their shape and range are shown.
+LEGIBLE = 300
 
 
 def mark(feedback: Feedback) -> str:
@@ -28,6 +30,9 @@ def format_value(value: Any) -> str:
         value = value.item()
     if isinstance(value, float):
         return f"{value:.6g}"
+    if isinstance(value, np.ndarray) and value.ndim > 2 and value.size > LEGIBLE:
+        range_ = f"from {value.min():.6g} to {value.max():.6g}"
+        return f"an array of shape {value.shape}, {value.dtype}, {range_}"
     with np.printoptions(precision=5, suppress=True, threshold=24, edgeitems=3, linewidth=72):
         if isinstance(value, np.ndarray):
             return str(value)

@@ -288,6 +288,10 @@ def test_example_shows_inputs_got_and_expected():
         ((1.5, np.inf), "(1.5, inf)"),
         (np.array(True), "True"),
         ({"f": (18.0, 140.0)}, "{'f': (18.0, 140.0)}"),
+        (
+            np.arange(600, dtype=np.uint16).reshape(3, 10, 20),
+            "an array of shape (3, 10, 20), uint16, from 0 to 599",
+        ),
     ],
 )
 def test_values_are_written_short(value, text):
