@@ -43,6 +43,7 @@ TO_HOMOGENEOUS = Exercise(
             "You changed the coordinates. Does a point move when you only write it differently?",
         ),
     ],
+    forbidden=("cv2.convertPointsToHomogeneous",),
 )
 
 FROM_HOMOGENEOUS = Exercise(
@@ -81,6 +82,7 @@ FROM_HOMOGENEOUS = Exercise(
             "You return a place for a point at infinity. Is there such a place in the plane?",
         ),
     ],
+    forbidden=("cv2.convertPointsFromHomogeneous",),
 )
 
 LINE_THROUGH = Exercise(
