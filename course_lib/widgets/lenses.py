@@ -31,11 +31,11 @@ def ray_tracer_explorer() -> Explorer:
     return Explorer(
         "Rays through thin lenses",
         [
-            Slider("Z", "Distance of the object", "Z", "mm", 20, 320, 150, step=5),
-            Slider("f1", "Focal length of lens 1", "f₁", "mm", 20, 150, 60, step=5),
+            Slider("Z", "Object distance", "Z", "mm", 20, 320, 150, step=5),
+            Slider("f1", "Focal length 1", "f₁", "mm", 20, 150, 60, step=5),
             Choice("second", "Second lens", SECOND, ONE),
-            Slider("f2", "Focal length of lens 2", "|f₂|", "mm", 20, 150, 30, step=5),
-            Slider("d", "Between the lenses", "d", "mm", 5, 150, 30, step=1),
+            Slider("f2", "Focal length 2", "|f₂|", "mm", 20, 150, 30, step=5),
+            Slider("d", "Gap", "d", "mm", 5, 150, 30, step=1),
         ],
         ray_tracer_frame,
     )
@@ -49,7 +49,7 @@ def aperture_window_explorer() -> Explorer:
             Slider("N", "f-number", "N", "", 1.4, 32, 2.8, steps=60, landmarks=STOPS),
             Slider("f", "Focal length", "f", "mm", 16, 200, 85, step=1),
             Slider("near", "Nearest point", "", "m", 0.5, 10, 2, step=0.1, digits=1),
-            Slider("depth", "Depth of the range", "", "m", 0.05, 5, 0.5, step=0.05, digits=2),
+            Slider("depth", "Depth of range", "", "m", 0.05, 5, 0.5, step=0.05, digits=2),
             Slider("pitch", "Pixel pitch", "", "µm", 2, 14, 13.5, step=0.5, digits=1),
         ],
         aperture_window_frame,

@@ -35,8 +35,8 @@ def outputs(notebook: nbformat.NotebookNode) -> list[nbformat.NotebookNode]:
 
 def pictures(notebook: nbformat.NotebookNode) -> list[str]:
     """Return the pictures of a notebook, but for explorers, as HTML or as PNG without words."""
-    shown = [out["data"] for out in outputs(notebook) if "data" in out]
-    png = [data["image/png"] for data in shown if "image/png" in data and WIDGET not in data]
+    shown = [out["data"] for out in outputs(notebook) if WIDGET not in out.get("data", {WIDGET: 0})]
+    png = [data["image/png"] for data in shown if "image/png" in data]
     return png + [data["text/html"] for data in shown if "<img" in data.get("text/html", "")]
 
 

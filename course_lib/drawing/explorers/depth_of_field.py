@@ -210,7 +210,7 @@ def _curve(f: float, N: float, focus: float, limits: tuple[float, float], c: flo
         PLOT_SIZE,
         lines=(
             CURVE.frame(),
-            Line(band, "image", 0.0, closed=True, fill=0.3),
+            Line(band, "image", 0.5, closed=True, fill=0.3),
             Line(CURVE.pixels(CURVE.x, 1.0), "guide", 1.2, dashed=True),
             Line(CURVE.pixels(Z, blurs), "ray", 2.5),
             *_dots(_blurs(DISTANCES, f, N, focus, c)),
