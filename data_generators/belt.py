@@ -35,12 +35,12 @@ def belt(rng: np.random.Generator | None = None) -> Light:
         Radiance, RGB, linear in light, 1 for a white surface; a pixel is 0.2 mm wide.
     """
     rng = np.random.default_rng(4) if rng is None else rng
-    picture = _grained(RUBBER, 0.25, (1, 1), rng)
+    picture = _grained(RUBBER, 0.1, (1, 1), rng)
     label = _label_print()
     left, top, width, height = (round(length / PIXEL) for length in LABEL)
     picture[top : top + height, left : left + width] = label[..., None]
     for share, colour in _parts():
-        metal = _grained(colour, 0.10, (9, 1), rng)
+        metal = _grained(colour, 0.06, (9, 1), rng)
         picture += share[..., None] * (metal - picture)
     return picture
 

@@ -36,7 +36,11 @@ STOPS = (1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0, 11.0, 16.0, 22.0)
     "Photographs of washers, nuts and a label on a belt, one for each setting: long exposures"
     " are smeared sideways, short ones dark or grainy."
 )
-def belt_photographs(settings: Sequence[Settings], speed: float = 800.0) -> Figure:
+def belt_photographs(
+    settings: Sequence[Settings],
+    speed: float = 800.0,
+    detail: tuple[int, int, int, int] | None = None,
+) -> Figure:
     """Show photographs of parts on a belt, taken with different settings.
 
     Parameters
@@ -45,18 +49,22 @@ def belt_photographs(settings: Sequence[Settings], speed: float = 800.0) -> Figu
         Of each photograph; without a time (None) there is none.
     speed : float
         Of the belt, mm/s.
+    detail : (int, int, int, int), optional
+        Left, top, width and height of the part that is shown, px; the whole without.
 
     Returns
     -------
     Figure
         The photographs beside each other, with their settings.
     """
+    left, top, width, height = detail or (0, 0, 480, 320)
     fig, axes = panels(1, len(settings), (FULL_WIDTH, 2.6 * 3 / len(settings)), squeeze=False)
     for ax, (t, N, iso, lux) in zip(axes[0], settings, strict=True):
         usable = t is not None and 1e-6 <= t <= 30
         image = _photograph(t, N, iso, lux, speed) if usable and t else np.ones((320, 480))
         time = seconds(t) if t is not None else "your time"
-        picture(ax, image, f"{time}, f/{N:g}, ISO {iso:g}\n{lux:g} lx")
+        part = image[top : top + height, left : left + width]
+        picture(ax, part, f"{time}, f/{N:g}, ISO {iso:g}\n{lux:g} lx")
     return fig
 
 
