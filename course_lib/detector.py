@@ -123,7 +123,7 @@ def expose(
     Raises
     ------
     TypeError, ValueError
-        If an argument is negative or not finite.
+        If an argument is negative or not finite, or `rng` is not a generator.
 
     Notes
     -----
@@ -134,6 +134,8 @@ def expose(
     ----------
     EMVA Standard 1288, release 4.0 (linear), section 2; J. Janesick, Photon Transfer, chapter 3.
     """
+    if not isinstance(rng, np.random.Generator):
+        raise TypeError(f"rng must be a generator such as np.random.default_rng(0), got {rng!r}")
     electrons = _poisson(mean_electrons(photons, sensor, exposure_time), rng)
     electrons = np.minimum(electrons, sensor.full_well)
     if sensor.read_noise:

@@ -173,6 +173,11 @@ class TestExpose:
         assert noisy(0, sensor).min() == 0
         assert noisy(0, sensor).mean() == pytest.approx(10 / np.sqrt(2 * np.pi), rel=0.03)
 
+    @pytest.mark.parametrize("seed", [0, None, np.random])
+    def test_errors_of_generator(self, seed):
+        with pytest.raises(TypeError, match=r"rng must be a generator such as np\.random\.default"):
+            expose(np.ones(5), SENSOR, seed)
+
     def test_errors_of_field(self):
         with pytest.raises(ValueError, match=r"field must have the shape of photons, \(5,\)"):
             expose_with_field(np.ones(5), SENSOR, np.zeros(4))
