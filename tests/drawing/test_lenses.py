@@ -32,6 +32,7 @@ FIGURES = {
     "image_against_object": lambda: draw.image_against_object(85, [100, 170], [567, 170]),
     "image_construction": draw.image_construction,
     "lens_name": draw.lens_name,
+    "pixel_on_object": draw.pixel_on_object,
     "principal_planes": draw.principal_planes,
     "ranges": draw.ranges,
     "ray_steps": draw.ray_steps,
@@ -144,6 +145,14 @@ def test_rays_of_the_construction_meet_in_the_image():
     assert through == pytest.approx(2.0)  # the focal point
     assert second[1, 1] == 0  # the middle of the lens
     assert np.interp(0.0, third[1::-1, 1], third[1::-1, 0]) == pytest.approx(-2.0)
+
+
+def test_a_pixel_of_the_lecture_sees_eight_tenths_of_a_millimetre():
+    (ax,) = draw.pixel_on_object(width=80, sensor_width=4, pixels=100).axes
+    said = [text.get_text() for text in ax.texts]
+    assert {"m = 1/20", "a pixel sees 0.8 mm", "5 × 5 pixels of 0.04 mm"} <= set(said)
+    widths = [np.ptp(patch.get_xy()[:, 0]) for patch in ax.patches]
+    assert widths[:2] == pytest.approx([80, 4])
 
 
 def test_spots_of_the_cones_are_circles_of_confusion():

@@ -13,6 +13,7 @@ from course_lib.drawing.lenses.imaging import (
     hole_and_lens,
     image_against_object,
     image_construction,
+    pixel_on_object,
 )
 from course_lib.drawing.lenses.systems import principal_planes, ray_steps, zoom
 from course_lib.drawing.lenses.views import aperture_series, wing
@@ -36,6 +37,7 @@ __all__ = [
     "image_against_object",
     "image_construction",
     "lens_name",
+    "pixel_on_object",
     "principal_planes",
     "ranges",
     "ray_steps",

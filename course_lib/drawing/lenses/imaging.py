@@ -22,6 +22,7 @@ from course_lib.drawing.diagrams import (
 )
 from course_lib.drawing.style import BLACK, FULL_WIDTH, ORANGE, ROLES
 from course_lib.optics import image_distance, magnification
+from course_lib.optics import pixel_on_object as sampled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -174,3 +175,50 @@ def image_against_object(
     ax.set(ylim=(0.7 * f, 30 * f), xlim=(0.9 * f, 320 * f))
     plain_numbers(ax)
     return fig
+
+
+@figure("An object of {width:g} mm, and its image of {sensor_width:g} mm with {pixels} pixels.")
+def pixel_on_object(width: float = 80.0, sensor_width: float = 4.0, pixels: int = 100) -> Figure:
+    """Show an object and its image on a sensor, both to scale, and the image enlarged.
+
+    Parameters
+    ----------
+    width, sensor_width : float
+        Of the object and of the sensor that it fills, mm.
+    pixels : int
+        Along the width of the sensor.
+
+    Returns
+    -------
+    Figure
+        Object, sensor in true proportion, and a corner of the sensor under a magnifying glass.
+    """
+    m, pitch = sensor_width / width, sensor_width / pixels
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.0))
+    sketch(ax)
+    _square(ax, 0, width, "object")
+    _square(ax, 1.35 * width, sensor_width, "image")
+    glass, shown = 2.0 * width, 5
+    _square(ax, glass, width, "image")
+    for edge in np.arange(1, shown) * width / shown:
+        stroke(ax, [(glass + edge, 0), (glass + edge, width)], "image", lw=1)
+        stroke(ax, [(glass, edge), (glass + width, edge)], "image", lw=1)
+    start = np.array([1.35 * width + sensor_width, 0])
+    for corner in (0, width):
+        stroke(ax, [start + (0, corner * m), (glass, corner)], "guide", lw=1, ls=":")
+    write(ax, (width / 2, width / 2), f"object\n{width:g} mm")
+    write(ax, (1.37 * width, 0.24 * width), f"sensor\n{sensor_width:g} mm", "image")
+    write(ax, (1.37 * width, -0.12 * width), f"m = 1/{1 / m:g}")
+    write(
+        ax, (glass + width / 2, -0.12 * width), f"{shown} × {shown} pixels of {pitch:g} mm", "image"
+    )
+    write(ax, (width / 2, -0.12 * width), f"a pixel sees {float(sampled(pitch, m)):g} mm")
+    fit(ax, -0.1 * width, 3.1 * width, -0.22 * width, 1.06 * width)
+    return fig
+
+
+def _square(ax: Axes, left: float, side: float, role: str) -> None:
+    """Draw a square that stands on the axis."""
+    corners = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)]) * side + (left, 0)
+    ax.fill(*corners.T, color=ROLES[role], alpha=0.15, lw=0)
+    stroke(ax, corners, role)
