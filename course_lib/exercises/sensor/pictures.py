@@ -16,7 +16,7 @@ CAMERA_GAIN_FROM_PAIRS = Exercise(
         "pairs within the range": Part(inputs.pairs_within_range, cases=1, weight=5),
         "some pairs saturated": Part(inputs.some_pairs_saturated, cases=1, weight=3),
     },
-    # What chance leaves of 9000 pixels, with room for other ways to fit the line.
+    # What chance leaves of 12 000 pixels, with room for other ways to fit the line.
     compare=Close(rtol=0.08, atol=0),
     misconceptions=[
         Misconception(
