@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
+from functools import partial
 
 from benchmarks import commands, compute, latency
 from benchmarks.table import RESULTS, Row, write_section
 
 #: Every entry is a function that returns rows. Add yours here.
 ENTRIES: dict[str, Callable[[], list[Row]]] = {
-    "explorers": latency.measure,
+    **{f"explorers-{chapter}": partial(latency.measure, chapter) for chapter in latency.EXPLORERS},
     "importing": compute.importing,
     "projecting": compute.projecting,
     "rendering": compute.rendering,

@@ -65,7 +65,7 @@ def naive(explorer: Explorer, name: str) -> Any:
     control = explorer._controls[name]
 
     def show(value: float) -> None:
-        pictures = frame(**{**state, name: value}).pictures
+        pictures = frame(**{**state, name: control.nearest(value)}).pictures
         widths = [p.size[0] for p in pictures]
         # As many pixels as the explorer has, and a line for the titles.
         size = sum(widths) / 100, max(p.size[1] for p in pictures) / 100 + 0.3
