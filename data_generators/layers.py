@@ -91,29 +91,34 @@ def layers(
     if not patches:
         return []
     found: list[Layer | None] = []
+    reach = _reach(patches, parts)
     for near, far in reversed(list(pairwise([0.0, *edges, np.inf]))):
-        owners, cut = _between(near, far, patches, parts)
+        owners, cut = _between(near, far, patches, parts, reach)
         for group in _groups(cut):
             members = [owners[i] for i in group], [cut[i] for i in group]
             found.append(_layer(renderer, camera, *members))
     return [layer for layer in found if layer]
 
 
+def _reach(patches: list[int], parts: list[Array]) -> Array:
+    """Return the least and greatest Z of each piece, and of all pieces of its patch, (4, N), m."""
+    together, each = Polygons.of(parts), np.array(patches)
+    low, high = together.low()[:, 2], together.high()[:, 2]
+    nearest, farthest = np.full(each.max() + 1, np.inf), np.zeros(each.max() + 1)
+    np.minimum.at(nearest, each, low)
+    np.maximum.at(farthest, each, high)
+    return np.stack([low, high, nearest[each], farthest[each]])
+
+
 def _between(
-    near: float, far: float, patches: list[int], parts: list[Array]
+    near: float, far: float, patches: list[int], parts: list[Array], reach: Array
 ) -> tuple[list[int], list[Array]]:
     """Return the pieces, cut, between two distances, and the patch that each is part of.
 
     A patch that goes on before the near edge keeps a strip of it.
     """
-    together = Polygons.of(parts)
-    low, high = together.low()[:, 2], together.high()[:, 2]
-    each = np.array(patches)
-    nearest = np.full(each.max() + 1, np.inf)
-    np.minimum.at(nearest, each, low)
-    farthest = np.zeros(each.max() + 1)
-    np.maximum.at(farthest, each, high)
-    crosses = (nearest[each] < near) & (near < farthest[each])
+    low, high, nearest, farthest = reach
+    crosses = (nearest < near) & (near < farthest)
     starts = np.where(crosses, near / OVERLAP, near)
     owners, cut = [], []
     for i in np.flatnonzero((high > starts) & (low < far)).tolist():
@@ -188,9 +193,8 @@ def _box(parts: list[Array], camera: Camera) -> tuple[int, int, int, int] | None
 
 def _nearness_slopes(renderer: QuickRenderer, camera: Camera, patches: list[int]) -> Array:
     """Return (3, N): 1 / Z at a pixel (u, v) of each piece is the product with (u, v, 1)."""
-    scene = [renderer.scene.patches[patch] for patch in patches]
-    normals = np.array([patch.normal for patch in scene]) @ camera.R.T
-    origins = np.array([patch.origin for patch in scene]) @ camera.R.T + camera.t
+    normals = renderer.normals[patches] @ camera.R.T
+    origins = renderer.origins[patches] @ camera.R.T + camera.t
     # Z n·(K⁻¹ u) = n·X for a point X of the plane.
     distance = np.sum(normals * origins, axis=1)
     return np.asarray((normals @ np.linalg.inv(camera.K) / distance[:, None]).T)

@@ -47,8 +47,8 @@ class QuickRenderer:
         self._outlines = Polygons.of([p.corners for p in patches])
         # Columns edge_u, edge_v, origin: a world point from (a, b, 1).
         frames = np.array([[p.edge_u, p.edge_v, p.origin] for p in patches]).reshape(-1, 3, 3)
-        self._frames, self._origins = frames.transpose(0, 2, 1), frames[:, 2]
-        self._normals = np.array([p.normal for p in patches]).reshape(-1, 3)
+        self._frames, self.origins = frames.transpose(0, 2, 1), frames[:, 2]
+        self.normals = np.array([p.normal for p in patches]).reshape(-1, 3)
         self._one_sided = np.array([p.one_sided for p in patches], bool)
         pyramids: dict[int, TexturePyramid] = {}
         for patch in patches:
@@ -60,7 +60,7 @@ class QuickRenderer:
         self._highest = np.array([p.highest for p in self._pyramids], int).reshape(-1, 2)
         self._textured: NDArray[np.bool_] = np.asarray(self._highest.any(axis=1))
         self._sides = side_table(
-            self._outlines.corners, self._outlines.starts, self._origins, self._normals
+            self._outlines.corners, self._outlines.starts, self.origins, self.normals
         )
 
     def picture(self, camera: Camera) -> Picture:
@@ -170,7 +170,7 @@ class QuickRenderer:
         if not self.scene.patches:
             return [], []
         eye = camera.centre
-        facing = np.sum(self._normals * (eye - self._origins), axis=1) > 0
+        facing = np.sum(self.normals * (eye - self.origins), axis=1) > 0
         world = self._outlines
         corners = world.corners @ camera.R.T + camera.t
         planes, offsets = view_planes(camera.K, camera.image_size)
@@ -193,7 +193,7 @@ class QuickRenderer:
     def _order(self, patches: list[int], polygons: Polygons, camera: Camera) -> list[int]:
         """Return positions in `patches` from back to front."""
         eye = camera.centre
-        height: Array = (self._normals[patches] * (eye - self._origins[patches])).sum(axis=1)
+        height: Array = (self.normals[patches] * (eye - self.origins[patches])).sum(axis=1)
         front, behind = (table[np.ix_(patches, patches)] for table in self._sides)
         eye_in_front = (height > 0)[:, None]
         seen = polygons.seen_through(camera.K)

@@ -6,6 +6,7 @@ import pytest
 
 from course_lib.camera import Camera, image_centre
 from course_lib.optics import circle_of_confusion
+from course_lib.sensor import photons_per_pixel
 from data_generators import defocus, disks
 from data_generators.defocus import DefocusedView, levels
 from data_generators.lens import Lens
@@ -17,6 +18,7 @@ from data_generators.targets import checkerboard, dot_grid
 PITCH = 0.05  # mm
 SIZE = (96, 80)
 DISTANCES = (0.5, 1.0, 2.0, 4.0)  # m, of the cards of `steps`
+HALVES = ((-4, np.array((0, 0, 0))), (0, np.array((255, 255, 255))))
 PLACES = (-0.24, 0.24, -0.1, 0.1)  # to the right, by distance
 
 
@@ -83,6 +85,11 @@ class TestLens:
         assert Lens(50, 4).light == pytest.approx(4 * Lens(50, 8).light)
         assert Lens(50, 4).light == pytest.approx(4 * Lens(50, 4, 100).light)
         assert Lens(50, 4).image_distance == 50
+        # The same light as that which chapter 04 counts photons with.
+        lens = Lens(50, 2.8, 400)
+        m = lens.image_distance / 400
+        one, far = (photons_per_pixel(100, 2.8, 0.01, 3.45, magnification=x) for x in (m, 0))
+        assert lens.light / Lens(50, 2.8).light == pytest.approx(float(one / far))
 
     @pytest.mark.parametrize("arguments", [(0, 2), (50, -1), (50, 2, 50), (50, 2, 20), (50, 2, -1)])
     def test_errors(self, arguments):
@@ -154,6 +161,26 @@ class TestBothEngines:
         middle = np.abs(x) < 0.3 * D
         slope = np.polyfit(x[middle], row[middle], 1)[0]
         assert slope == pytest.approx(np.polyfit(x[middle], expected[middle], 1)[0], rel=rel)
+
+    def test_slanted_surface(self, engine):
+        # A floor, black to the left and white to the right: the border runs away from the camera
+        # and is blurred by another disk in each row. Its derivative has the disk's variance.
+        lens, size, height = Lens(50, 1.4, 1000), (96, 128), 0.05
+        camera = camera_of(lens, size)
+        halves = [Patch((x, height, 9), (4, 0, 0), (0, 0, -8.6), c) for x, c in HALVES]
+        light = take(engine, Scene((*halves,), (0, 0, 0)), camera, lens)[..., 1]
+        rows = np.array([78, 88, 98, 108, 118])
+        Z = camera.K[1, 1] * height / (rows - camera.K[1, 2])
+        D = lens.disks(Z, camera)
+        x = np.arange(size[0] - 1) - (size[0] - 2) / 2
+        for row, expected in zip(rows, D, strict=True):
+            slope = np.diff(light[row - 1 : row + 2].mean(axis=0))
+            slope[np.abs(x) > 24] = 0
+            variance = (slope * x**2).sum() / slope.sum()
+            measured = 4 * np.sqrt(max(0, variance - 1 / 12))
+            assert measured == pytest.approx(expected, rel=0.12, abs=0.7)
+        assert D.min() < 4
+        assert D.max() > 14
 
     def test_looks_past_a_near_edge(self, engine):
         # Sharp stripes behind a near edge: each point of them is seen by the part of the lens
