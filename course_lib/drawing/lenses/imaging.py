@@ -203,9 +203,9 @@ def pixel_on_object(width: float = 80.0, sensor_width: float = 4.0, pixels: int 
     for edge in np.arange(1, shown) * width / shown:
         stroke(ax, [(glass + edge, 0), (glass + edge, width)], "image", lw=1)
         stroke(ax, [(glass, edge), (glass + width, edge)], "image", lw=1)
-    start = np.array([1.35 * width + sensor_width, 0])
-    for corner in (0, width):
-        stroke(ax, [start + (0, corner * m), (glass, corner)], "guide", lw=1, ls=":")
+    edge = 1.35 * width + sensor_width
+    for low, high in ((0, 0), (shown * pitch, width)):
+        stroke(ax, [(edge, low), (glass, high)], "guide", lw=1, ls=":")
     write(ax, (width / 2, width / 2), f"object\n{width:g} mm")
     write(ax, (1.37 * width, 0.24 * width), f"sensor\n{sensor_width:g} mm", "image")
     write(ax, (1.37 * width, -0.12 * width), f"m = 1/{1 / m:g}")
