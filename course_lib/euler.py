@@ -10,7 +10,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.checks import Array, DegenerateConfigurationError, check_rotation, check_vector
+from course_lib.checks import (
+    Array,
+    DegenerateConfigurationError,
+    check_number,
+    check_rotation,
+    check_vector,
+)
 from course_lib.rotations import rotation_x, rotation_y, rotation_z
 
 ROTATIONS = {"x": rotation_x, "y": rotation_y, "z": rotation_z}
@@ -137,7 +143,8 @@ def rotation_from_omega_phi_kappa(omega: float, phi: float, kappa: float) -> Arr
     >>> rotation_from_omega_phi_kappa(0, 0, 0) @ [0, 0, -1]  # down in the world is ahead
     array([0., 0., 1.])
     """
-    world_from_image = rotation_from_euler([omega, phi, kappa], "xyz")
+    angles = (omega, "omega"), (phi, "phi"), (kappa, "kappa")
+    world_from_image = rotation_from_euler([check_number(a, name) for a, name in angles], "xyz")
     return CV_FROM_PHOTOGRAMMETRIC @ world_from_image.T
 
 

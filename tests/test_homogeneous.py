@@ -155,6 +155,10 @@ class TestTransformations:
             map_points(POINTS, np.eye(2))
         with pytest.raises(ValueError, match=r"points must have shape \(4, 2\) or \(4, 3\)"):
             cross_ratio(POINTS)
+        with pytest.raises(ValueError, match="points must be finite"):
+            cross_ratio(np.full((4, 2), np.nan))
+        with pytest.raises(ValueError, match="lines holds a zero vector"):
+            map_lines((0, 0, 0), PROJECTIVE)
 
     def test_round_trip(self):
         there = map_points(POINTS, PROJECTIVE)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from course_lib import checks, placing, poses
+from course_lib import checks, placing, poses, transforms
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.transforms import (
     camera_centre,
@@ -300,6 +300,54 @@ class TestPlacing:
         for function in (pose_from_placement, invert_pose):
             with pytest.raises(ValueError, match="reflection"):
                 function(np.diag([1, 1, -1]), (0, 0, 0))
+
+
+EYE, ZERO, ONES = np.eye(3), np.zeros(3), np.ones(3)
+#: Each public function with arguments that it takes.
+CALLS = {
+    "camera_centre": (EYE, ZERO),
+    "compose": (EYE, ZERO, EYE, ZERO),
+    "cross_matrix": (ONES,),
+    "cv_from_graphics_camera": (np.eye(4),),
+    "euler_from_rotation": (EYE,),
+    "gimbal_pose": (0.1, 0.2, ONES, ZERO),
+    "invert_pose": (EYE, ZERO),
+    "look_at": (ONES, ZERO, (0, 0, 1)),
+    "omega_phi_kappa_from_rotation": (EYE,),
+    "pose_from_matrix": (np.eye(4),),
+    "pose_from_placement": (EYE, ZERO),
+    "pose_from_twist": (ONES, ZERO),
+    "quaternion_from_rotation": (EYE,),
+    "rigid_matrix": (EYE, ZERO),
+    "rotation_about_axis": (ONES, 0.1),
+    "rotation_from_euler": (ONES,),
+    "rotation_from_omega_phi_kappa": (0.1, 0.2, 0.3),
+    "rotation_from_quaternion": (np.ones(4),),
+    "rotation_from_vector": (ONES,),
+    "rotation_x": (0.1,),
+    "rotation_y": (0.1,),
+    "rotation_z": (0.1,),
+    "transform_points": (ONES, EYE, ZERO),
+    "twist_from_pose": (EYE, ZERO),
+    "vector_from_rotation": (EYE,),
+}
+
+
+@pytest.mark.parametrize("name", sorted({*transforms.__all__} - {"check_rotation"}))
+@pytest.mark.parametrize(
+    ("bad", "words"),
+    [
+        (lambda good: np.full_like(good, np.nan, dtype=float), "must be finite"),
+        (lambda good: np.zeros((2, 7)), "must (have shape|be one number)"),
+    ],
+    ids=["nan", "shape"],
+)
+def test_every_argument_is_checked(name, bad, words):
+    function, good = getattr(transforms, name), CALLS[name]
+    function(*good)
+    for i, argument in enumerate(good):
+        with pytest.raises(ValueError, match=words):
+            function(*good[:i], bad(argument), *good[i + 1 :])
 
 
 @pytest.mark.parametrize("module", [checks, poses, placing])
