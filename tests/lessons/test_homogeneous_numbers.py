@@ -98,6 +98,18 @@ def test_where_the_second_camera_is():
     says("np.array([3.600, -3.156, 16.892])")
 
 
+def test_the_mark_at_t_lies_in_the_cellar_of_the_neighbours():
+    from data_generators.places import HOUSES
+
+    side, start, length, depth, *_ = HOUSES[0]
+    x, y, z = SECOND.t
+    assert side == -1
+    assert -6.6 - depth < x < -6.6
+    assert start < y < start + length
+    assert round(z, 2) == -1.35
+    says("inside the neighbour's house, 1.35 m below the ground", "(-12.84, 7.79, -1.35)")
+
+
 def test_the_file_read_wrongly_looks_elsewhere():
     placed = transforms.pose_from_placement(draw.FROM_BLENDER[:3, :3], draw.FROM_BLENDER[:3, 3])
     np.testing.assert_allclose(placed[0][2], -SECOND.R[2])  # backwards
