@@ -415,6 +415,30 @@ class TestDecomposeProjection:
                 decompose_projection(P)
 
 
+@pytest.mark.parametrize(
+    ("function", "good"),
+    [
+        (camera_matrix, (K, np.eye(3), np.zeros(3))),
+        (project, (np.ones(3), np.eye(3, 4))),
+        (pixel_ray, (np.ones(2), K, np.eye(3), np.zeros(3))),
+        (decompose_projection, (np.eye(3, 4),)),
+    ],
+)
+@pytest.mark.parametrize(
+    ("bad", "words"),
+    [
+        (lambda good: np.full_like(good, np.nan), "must be finite"),
+        (lambda good: np.zeros((2, 7)), "must have shape"),
+    ],
+    ids=["nan", "shape"],
+)
+def test_every_argument_is_checked(function, good, bad, words):
+    function(*good)
+    for i, argument in enumerate(good):
+        with pytest.raises(ValueError, match=words):
+            function(*good[:i], bad(argument), *good[i + 1 :])
+
+
 @pytest.mark.parametrize("module", [pinhole, projection, camera])
 def test_examples_run(module):
     assert doctest.testmod(module).failed == 0
