@@ -76,7 +76,7 @@ NO_FIGURES = {
 UNIT = r"\((px|mm|nm|s|h|DN|DN²|%|share|share in %|number|ratio|relative|no unit|ms)\)"
 
 
-@pytest.fixture(params=FIGURES)
+@pytest.fixture(scope="module", params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
     drawn.canvas.draw()
