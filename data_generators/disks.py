@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 SHARP = 0.3  # px: smaller disks change nothing that a pixel shows
-WIDEST = (6.0, 22.0, 60.0, 130.0)  # px: the largest disk drawn at 1/1, 1/2, 1/4, 1/8 of the size
+WIDEST = (5.0, 22.0, 60.0, 130.0)  # px: the largest disk drawn at 1/1, 1/2, 1/4, 1/8 of the size
 SMALL = 2.6  # px: smaller disks are three pixels wide
 GRID = 2 ** len(WIDEST)  # px: pictures must be multiples of this
 
