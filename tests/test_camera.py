@@ -314,7 +314,7 @@ class TestProject:
             j = 242 + 790 * y / z
             np.testing.assert_allclose(cam.project(L), (i, j))
 
-    @pytest.mark.parametrize("scale", [-1, 3, -0.01, 1e40])
+    @pytest.mark.parametrize("scale", [-1, 3, -0.01, 1e70, -1e-200])
     def test_scale_and_sign_mean_nothing(self, scale):
         cam = a_camera()
         points = [(0, 0, 0), (8, -6, 4)]  # in front, behind
