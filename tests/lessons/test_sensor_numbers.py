@@ -101,7 +101,11 @@ def test_clipping_of_the_street():
     assert shares[2][1] == pytest.approx(0.410, abs=0.0005)
     assert shares[0][1] < 0.001
     says("41.0 % of the pixels clipped at +2 stops", "almost none at 0")
-    assert np.sqrt(8) == pytest.approx(2.8, abs=0.03)
+    model = sensor.SensorModel(quantum_efficiency=1, read_noise=5, gain=0.25)
+    right, dark = sensor.signal_to_noise([1000, 1000 / 8], model)
+    assert right == pytest.approx(31, abs=0.5)
+    assert dark == pytest.approx(10, abs=0.3)
+    says("1000 electrons got 125", "SNR is 10 instead of 31")
 
 
 def test_the_alias():

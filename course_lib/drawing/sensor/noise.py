@@ -144,7 +144,8 @@ def photon_transfer(pairs: Pairs, white: float, gain: float | None = None) -> Fi
     first, second, *dark = (np.asarray(part, float) for part in pairs)
     mean = (first + second).mean(axis=(1, 2)) / 2 - np.mean(dark)
     variance = (first - second).var(axis=(1, 2)) / 2 - (dark[0] - dark[1]).var() / 2
-    clipped = (np.maximum(first, second) >= white).any(axis=(1, 2))
+    shares = [(part >= white).mean(axis=(1, 2)) for part in (first, second)]
+    clipped = np.maximum(*shares) > 0.001
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.2))
     ax.plot(mean[~clipped], variance[~clipped], "o", color=BLUE, ms=8, label="pairs")
     ax.plot(mean[clipped], variance[clipped], "o", mfc="none", mec=RED, ms=8, label="clipped pairs")
