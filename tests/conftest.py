@@ -1,12 +1,16 @@
 """Share the tests out to the workers: a file stays together, but every chapter's exercises part."""
 
-import pytest
+from course_lib.exercises import CHAPTERS
 
 
-@pytest.hookimpl(tryfirst=True)  # before the workers read the groups
-def pytest_collection_modifyitems(config, items):
-    for item in items:
-        exercise = item.callspec.params.get("exercise") if hasattr(item, "callspec") else None
-        file = item.path.relative_to(config.rootpath).as_posix()
-        group = f"{file} {getattr(exercise, 'chapter', '')}".strip()
-        item.add_marker(pytest.mark.xdist_group(group))
+def pytest_xdist_make_scheduler(config, log):
+    from xdist.scheduler import LoadScopeScheduling
+
+    class ByFileAndChapter(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            file, _, test = nodeid.partition("::")
+            here = file.startswith("tests/exercises")
+            chapters = [name for name in CHAPTERS if here and f"{name}." in test]
+            return " ".join([file, *chapters])
+
+    return ByFileAndChapter(config, log)
