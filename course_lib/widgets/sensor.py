@@ -20,6 +20,7 @@ from course_lib.drawing.explorers.rolling_shutter import (
 from course_lib.drawing.explorers.structured_light import MANY, ONE, structured_light_frame
 from course_lib.widgets.controls import Choice, Slider, Switch
 from course_lib.widgets.explorer import Explorer
+from data_generators.relief import SHAPES
 
 F_NUMBERS = (1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22)
 SPEEDS = (100, 200, 400, 800, 1600, 3200, 6400)
@@ -76,11 +77,10 @@ def bayer_explorer() -> Explorer:
 
 def structured_light_explorer() -> Explorer:
     """Return the explorer of structured light: the shift of a stripe and the height."""
-    shapes = ("block", "ramp", "dome", "plate with a groove")
     return Explorer(
         "Structured light: height from the shift of a stripe",
         [
-            Choice("shape", "Thing on the table", shapes, "dome"),
+            Choice("shape", "Thing on the table", tuple(SHAPES), "dome"),
             Slider("height", "Its height", "", "mm", 0, 8, 5, step=0.5, digits=1),
             Slider("angle_deg", "Light from the vertical", "θ", "°", 5, 70, 40, step=1),
             Choice("pattern", "Pattern", (ONE, MANY), MANY),

@@ -54,6 +54,8 @@ def height_field(picture: ArrayLike, box: tuple[int, int, int, int] = (252, 130,
     land.set_box_aspect((4, 3, 2), zoom=0.88)
     land.invert_yaxis()
     land.set(title="as heights", xlabel="u (px)", ylabel="v (px)")
+    land.locator_params(nbins=4)
+    land.set_zticks((0, 100, 200))
     land.tick_params(labelsize=7)
     return fig
 
