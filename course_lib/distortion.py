@@ -1,0 +1,46 @@
+"""Lens distortion: what bends straight lines, and how to straighten them.
+
+Distortion acts between the pinhole and the pixels, on normalised coordinates ``X/Z, Y/Z``; a camera
+is ``K · distort(project(points))``. Coefficients are in OpenCV's order,
+``k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4``.
+"""
+
+from __future__ import annotations
+
+from course_lib.distortion_inverse import undistort_points, valid_radius
+from course_lib.distortion_model import (
+    distort,
+    distort_radial,
+    distort_rational_prism,
+    distortion_jacobian,
+)
+from course_lib.distortion_pictures import displacement_field, pixel_grid, undistortion_map
+from course_lib.distortion_pixels import (
+    distort_pixels,
+    normalised_from_pixels,
+    pixels_from_normalised,
+    undistort_pixels,
+)
+from course_lib.division_model import distort_division, undistort_division
+from course_lib.fisheye import fisheye_project, fisheye_ray, fisheye_valid_angle
+
+__all__ = [
+    "displacement_field",
+    "distort",
+    "distort_division",
+    "distort_pixels",
+    "distort_radial",
+    "distort_rational_prism",
+    "distortion_jacobian",
+    "fisheye_project",
+    "fisheye_ray",
+    "fisheye_valid_angle",
+    "normalised_from_pixels",
+    "pixel_grid",
+    "pixels_from_normalised",
+    "undistort_division",
+    "undistort_pixels",
+    "undistort_points",
+    "undistortion_map",
+    "valid_radius",
+]
