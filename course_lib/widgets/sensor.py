@@ -34,7 +34,7 @@ def exposure_explorer() -> Explorer:
         "Exposure: time, aperture, ISO, light and motion",
         [
             Slider("t", "Exposure time", "t", "ms", 0.1, 50, 10, steps=40, landmarks=times),
-            Slider("N", "F-number", "N", "", 1.4, 22, 4, steps=2, landmarks=F_NUMBERS),
+            Slider("N", "f-number", "N", "", 1.4, 22, 4, steps=2, landmarks=F_NUMBERS),
             Slider("iso", "ISO", "", "", 100, 6400, 100, steps=2, landmarks=SPEEDS),
             Slider("lux", "Light", "E", "lx", 200, 50e3, 500, steps=2, landmarks=LIGHTS),
             Slider("speed", "Speed of the belt", "V", "mm/s", 0, 1000, 800, step=20),

@@ -1,4 +1,4 @@
-"""A course of two short lessons with the real exercises: quick to build, run and grade."""
+"""A course of short lessons with the real exercises: quick to build, run and grade."""
 
 import subprocess
 import sys
@@ -19,7 +19,6 @@ kernelspec:
   name: python3
 ---
 """
-SHORT = ("welcome", "pinhole")
 SETUP = """\
 ```{code-cell} ipython3
 import numpy as np
@@ -52,8 +51,8 @@ def chapter_lesson(chapter: str) -> str:
 
 def write_course(root: Path) -> Path:
     (root / "lessons").mkdir(parents=True)
-    for chapter in SHORT:
-        (root / "lessons" / f"{CHAPTERS[chapter]}.md").write_text(chapter_lesson(chapter), encoding="utf-8")
+    for chapter, name in CHAPTERS.items():
+        (root / "lessons" / f"{name}.md").write_text(chapter_lesson(chapter), encoding="utf-8")
     return root
 
 
