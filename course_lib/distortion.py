@@ -7,6 +7,14 @@ is ``K · distort(project(points))``. Coefficients are in OpenCV's order,
 
 from __future__ import annotations
 
+from course_lib.distortion_forms import (
+    Bouguet,
+    Photogrammetric,
+    bouguet_from_opencv,
+    opencv_from_bouguet,
+    opencv_from_photogrammetric,
+    photogrammetric_from_opencv,
+)
 from course_lib.distortion_inverse import undistort_points, valid_radius
 from course_lib.distortion_model import (
     distort,
@@ -21,23 +29,37 @@ from course_lib.distortion_pixels import (
     pixels_from_normalised,
     undistort_pixels,
 )
+from course_lib.distortion_series import distort_photogrammetric, ebner, radial_correction
 from course_lib.division_model import distort_division, undistort_division
 from course_lib.fisheye import fisheye_project, fisheye_ray, fisheye_valid_angle
+from course_lib.plumb_line import PlumbLines, distortion_from_lines, straightness
 
 __all__ = [
+    "Bouguet",
+    "Photogrammetric",
+    "PlumbLines",
+    "bouguet_from_opencv",
     "displacement_field",
     "distort",
     "distort_division",
+    "distort_photogrammetric",
     "distort_pixels",
     "distort_radial",
     "distort_rational_prism",
+    "distortion_from_lines",
     "distortion_jacobian",
+    "ebner",
     "fisheye_project",
     "fisheye_ray",
     "fisheye_valid_angle",
     "normalised_from_pixels",
+    "opencv_from_bouguet",
+    "opencv_from_photogrammetric",
+    "photogrammetric_from_opencv",
     "pixel_grid",
     "pixels_from_normalised",
+    "radial_correction",
+    "straightness",
     "undistort_division",
     "undistort_pixels",
     "undistort_points",

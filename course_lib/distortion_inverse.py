@@ -115,7 +115,7 @@ def undistort_points(points: ArrayLike, coefficients: ArrayLike) -> Array:
     undistorted = np.empty_like(distorted)
     if distorted.size:
         limit = valid_radius(k)
-        guess = _radial_guess(k, limit, float(np.hypot(*distorted.T).max()))
+        guess = radial_guess(k, limit, float(np.hypot(*distorted.T).max()))
         for start in range(0, len(distorted), CHUNK):
             part = slice(start, start + CHUNK)
             undistorted[part] = _undistort_part(distorted[part], k, limit, guess)
@@ -216,7 +216,7 @@ def _end(k: Array, limit: float, farthest: float) -> float:
     return min(end, limit * (1 - 1e-7))
 
 
-def _radial_guess(k: Array, limit: float, farthest: float) -> Radial:
+def radial_guess(k: Array, limit: float, farthest: float) -> Radial:
     """Return a function that gives the ratio ideal to distorted distance from the latter's square.
 
     It reads a table with equal steps of the square, so that looking up is one multiplication.

@@ -16,7 +16,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.checks import Array, check_numbers, check_points, check_rows, check_vector
+from course_lib.checks import Array, check_numbers, check_points, check_vector
 
 #: How many coefficients make a model: quadratic, radial, Brown-Conrady, rational, thin prism.
 COUNTS = (1, 2, 4, 5, 8, 12)
@@ -96,8 +96,8 @@ def distort_radial(points: ArrayLike, k: ArrayLike) -> Array:
     >>> distort_radial([0.6, 0.8], [-0.2, 0.05])
     array([0.51, 0.68])
     """
-    points, k = check_normalised(points, "points"), np.atleast_1d(check_rows(k, "k"))
-    if k.ndim != 1 or k.size > 10 or np.abs(k).max() > LARGEST_COEFFICIENT:
+    points, k = check_normalised(points, "points"), np.atleast_1d(check_numbers(k, "k"))
+    if k.ndim != 1 or not 1 <= k.size <= 10 or np.abs(k).max() > LARGEST_COEFFICIENT:
         raise ValueError(f"k must be up to ten coefficients k1, k2, …, got shape {k.shape}")
     r2 = (points**2).sum(axis=-1, keepdims=True)
     return np.asarray(points * np.polynomial.polynomial.polyval(r2, [1, *k]))
