@@ -21,6 +21,8 @@ from course_lib.exercises.pinhole import misconceptions as wrong  # noqa: E402
 from course_lib.judging import Exercise, answer, judge, pose  # noqa: E402
 from course_lib.judging.html import to_html  # noqa: E402
 
+EXPLORERS = (("pinhole", "focal_length"), ("lenses", "depth_of_field"), ("sensor", "exposure"))
+
 
 def draw_map() -> None:
     """Write the map of the chapters."""
@@ -40,13 +42,13 @@ def show_verdict(browser: Any) -> None:
 
 
 def show_explorers(browser: Any) -> None:
-    """Write the explorers of chapter 01 as they look in JupyterLab."""
-    with _notebook("aperture_explorer", "focal_length_explorer") as (lab, path):
+    """Write some explorers as they look in JupyterLab."""
+    with _notebook() as (lab, path):
         page = browser.new_page(viewport={"width": 1280, "height": 1600})
         jupyter.open_notebook(page, lab, path)
         jupyter.run_all_cells(page)
         explorers = page.locator(".course-explorer")
-        for index, name in enumerate(("aperture", "focal_length")):
+        for index, (_, name) in enumerate(EXPLORERS):
             explorers.nth(index).locator("img, canvas").first.wait_for()
             page.wait_for_timeout(1500)
             explorers.nth(index).screenshot(path=PICTURES / f"{name}.png")
@@ -54,15 +56,16 @@ def show_explorers(browser: Any) -> None:
 
 
 @contextmanager
-def _notebook(*explorers: str) -> Iterator[tuple[jupyter.Lab, Path]]:
+def _notebook() -> Iterator[tuple[jupyter.Lab, Path]]:
     with tempfile.TemporaryDirectory() as folder:
         work, home = Path(folder, "work"), Path(folder, "home")
         work.mkdir()
         home.mkdir()
-        cells = [f"from course_lib.widgets.pinhole import {', '.join(explorers)}"]
-        path = jupyter.write_notebook(
-            work / "pictures.ipynb", *cells, *(f"{name}()" for name in explorers)
-        )
+        cells = [
+            f"from course_lib.widgets.{chapter} import {name}_explorer\n{name}_explorer()"
+            for chapter, name in EXPLORERS
+        ]
+        path = jupyter.write_notebook(work / "pictures.ipynb", *cells)
         lab = jupyter.Lab(work, home)
         try:
             yield lab, path

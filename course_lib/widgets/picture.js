@@ -57,7 +57,7 @@ function figure() {
     if (!picture || !width) return;
     style ??= styleOf(box);
     const context = fit(canvas);
-    if (photograph) context.drawImage(photograph, -0.5, -0.5, ...picture.size);
+    if (photograph) cover(context, photograph);
     for (const line of picture.lines) stroke(context, line, floats, style, Boolean(photograph));
     for (const label of picture.labels) write(context, label, style, Boolean(photograph));
     point(pointer);
@@ -162,6 +162,14 @@ function stroke(context, line, floats, { ink }, onPhotograph) {
   }
   Object.assign(context, { lineWidth: line.width, strokeStyle: ink(line.role) });
   context.stroke(path);
+}
+
+// To the last row of the canvas, of which a rounded height may leave a part.
+function cover(context, photograph) {
+  context.save();
+  context.resetTransform();
+  context.drawImage(photograph, 0, 0, context.canvas.width, context.canvas.height);
+  context.restore();
 }
 
 // Outlining letters is slow, and most labels stay: each is drawn once, then copied.

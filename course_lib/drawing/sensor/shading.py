@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
 from course_lib.drawing.sensor.screen import picture, shown
-from course_lib.drawing.style import BLUE, FULL_WIDTH, GREY, ORANGE
+from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREY, ORANGE
 from course_lib.sensor import (
     flat_field,
     lateral_chromatic_shift,
@@ -48,7 +48,7 @@ def vignetting_profile(f: float = 24.0, pupils: tuple[float, float] = (12.0, 3.0
     r = np.linspace(0, DIAGONAL, 200)
     natural = vignetting(np.arctan2(r, f))
     fig, (ax, wide, small) = panels(1, 3, (FULL_WIDTH, 2.5), width_ratios=(1.5, 1, 1))
-    ax.plot(r, 100 * natural, color=GREY, ls=(0, (5, 3)), label="cos⁴ alone")
+    ax.plot(r, 100 * natural, color=BLACK, ls=(0, (2, 3)), lw=1.2, zorder=3, label="cos⁴ alone")
     v, u = np.mgrid[-12:12:161j, -18:18:241j]
     across = np.arctan2(np.hypot(u, v), f)
     for pupil, colour, wall in zip(pupils, (ORANGE, BLUE), (wide, small), strict=True):
