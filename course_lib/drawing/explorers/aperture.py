@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Readout
+from course_lib.drawing.explorers.plot import Plot, disc
 from course_lib.drawing.explorers.street import CHART, WIDTH, renderer, upright_camera
 from course_lib.drawing.style import on_screen
 from course_lib.optics import airy_diameter, best_pinhole_diameter, pinhole_blur_diameter
@@ -27,7 +28,7 @@ ADJUSTED, FIXED = "adjusted to the hole", "the same for every hole"
 SIDE_SIZE = (230, 320)  # px
 SPOT_SCALE = 50.0  # px a mm
 HOLES, BLURS = (0.05, 2.5), (0.05, 6.0)  # mm: axes of the curves
-PLOT = (42.0, 222.0, 14.0, 272.0)  # px: left, right, top, bottom
+AXES = Plot((42, 222, 26, 272), HOLES, BLURS, log_x=True, log_y=True)
 
 
 def aperture_frame(d: float, s: float, exposure: str) -> Frame:
@@ -124,67 +125,32 @@ def _pixel_grid(middle: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _circle(middle: NDArray[np.float64], diameter: float) -> NDArray[np.float64]:
     """Return a circle on the spot diagram, its diameter in mm."""
-    turn = np.linspace(0, 2 * np.pi, 73)[:-1]
-    return middle + diameter / 2 * SPOT_SCALE * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    return disc(middle, diameter / 2 * SPOT_SCALE)
 
 
 def _curves(d: float, s: float, best: float) -> Picture:
     """Return both blurs and their sum against the hole, on logarithmic axes."""
     holes = np.geomspace(*HOLES, 60)
     shadow, rings = _blurs(holes, s)
-    here, total = _on_axes([d, d], [BLURS[0], sum(_blurs(d, s))]), shadow + rings
-    left, right, top, bottom = PLOT
-    lowest = _on_axes([best, best], BLURS)
+    here = AXES.pixels([d, d], [BLURS[0], sum(_blurs(d, s))])
     return Picture(
         "Blur against the hole",
         f"The sum of both blurs is smallest at a hole of {best:.2f} mm; this one is {d:g} mm.",
         SIDE_SIZE,
         lines=(
-            Line([[left, top], [left, bottom], [right, bottom]], "guide", 1.2),
-            Line(lowest, "guide", 1.2, dashed=True),
-            Line(_on_axes(holes, shadow), "ray", 2.0),
-            Line(_on_axes(holes, rings), "image", 2.0),
-            Line(_on_axes(holes, total), "ink", 2.5),
+            AXES.frame(),
+            Line(AXES.pixels([best, best], BLURS), "guide", 1.2, dashed=True),
+            Line(AXES.pixels(holes, shadow), "ray", 2.0),
+            Line(AXES.pixels(holes, rings), "image", 2.0),
+            Line(AXES.pixels(holes, shadow + rings), "ink", 2.5),
             Line(here, "object", 2.0),
-            Line(here[1] + 5 * _unit_circle(), "object", 2.0, closed=True, fill=1.0),
+            Line(disc(here[1], 5), "object", 2.0, closed=True, fill=1.0),
         ),
-        labels=_axis_labels(best),
+        labels=(
+            *AXES.ticks((0.1, 1), (0.1, 1)),
+            *AXES.names("hole d in mm", "blur in mm"),
+            Label("best", AXES.at(best, BLURS[1], 5, 22), "guide"),
+            Label("shadow", AXES.at(0.12, 0.085, 4, 0), "ray"),
+            Label("diffraction", AXES.at(1.1, 0.062, 0, 0), "image", "end"),
+        ),
     )
-
-
-def _axis_labels(best: float) -> tuple[Label, ...]:
-    """Return the numbers and names at the axes of the curves."""
-    left, right, top, bottom = PLOT
-    numbers = [Label(f"{x:g}", _at(x, BLURS[0], 0, 12), anchor="middle") for x in (0.1, 1)]
-    numbers += [Label(f"{y:g}", _at(HOLES[0], y, -6, 0), anchor="end") for y in (0.1, 1)]
-    return (
-        *numbers,
-        Label("hole d in mm", ((left + right) / 2, bottom + 32), anchor="middle"),
-        Label("blur in mm", (left + 6, top - 4)),
-        Label("best", _at(best, BLURS[1], 5, 22), "guide"),
-        Label("shadow", _at(0.12, 0.085, 4, 0), "ray"),
-        Label("diffraction", _at(1.1, 0.062, 0, 0), "image", "end"),
-    )
-
-
-def _on_axes(holes: object, blurs: object) -> NDArray[np.float64]:
-    """Return pixels of the curves' picture from holes and blurs, mm; NaN outside the axes."""
-    left, right, top, bottom = PLOT
-    x, y = np.asarray(holes, float), np.asarray(blurs, float)
-    across = np.log(x / HOLES[0]) / np.log(HOLES[1] / HOLES[0])
-    up = np.log(y / BLURS[0]) / np.log(BLURS[1] / BLURS[0])
-    points = np.stack([left + across * (right - left), bottom - up * (bottom - top)], axis=1)
-    points[(up < -1e-9) | (up > 1 + 1e-9)] = np.nan
-    return points
-
-
-def _at(hole: float, blur: float, right: float, down: float) -> tuple[float, float]:
-    """Return one pixel of the curves' picture, moved to the right and down."""
-    (u, v) = _on_axes([hole], [blur])[0]
-    return float(u) + right, float(v) + down
-
-
-def _unit_circle() -> NDArray[np.float64]:
-    """Return 24 points of the unit circle."""
-    turn = np.linspace(0, 2 * np.pi, 25)[:-1]
-    return np.stack([np.cos(turn), np.sin(turn)], axis=1)

@@ -8,6 +8,7 @@ import numpy as np
 
 from course_lib.camera import Camera, dolly_zoom
 from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Readout
+from course_lib.drawing.explorers.plot import disc
 from course_lib.drawing.explorers.street import (
     CHART,
     CHART_EDGES,
@@ -94,8 +95,8 @@ def _map(camera: Camera, Z: float, angle: float) -> Picture:
             Line(_on_map(_fan(camera)), "camera", 2.0, fill=0.15),
             Line(_on_map(board), "object", 4.0),
             Line(_on_map(gap), "ray", 1.5, dashed=True),
-            Line(_disc(TREE[0, :2], 1.4), "image", 1.5, closed=True, fill=0.9),
-            Line(_disc(centre, 0.8), "camera", 1.5, closed=True, fill=1.0),
+            Line(disc(_on_map(TREE[0, :2]), 1.4 * MAP_SCALE), "image", 1.5, closed=True, fill=0.9),
+            Line(disc(_on_map(centre), 0.8 * MAP_SCALE), "camera", 1.5, closed=True, fill=1.0),
         ),
         labels=(
             Label("camera", _at(centre - [1.6, 0.8]), "camera", "end"),
@@ -139,9 +140,3 @@ def _at(point: np.ndarray) -> tuple[float, float]:
     """Return one pixel of the map."""
     u, v = _on_map(point)
     return float(u), float(v)
-
-
-def _disc(centre: np.ndarray, radius: float) -> np.ndarray:
-    """Return a circle on the map."""
-    turn = np.linspace(0, 2 * np.pi, 25)[:-1]
-    return _on_map(centre + radius * np.stack([np.cos(turn), np.sin(turn)], axis=1))
