@@ -82,7 +82,7 @@ def is_diffraction_limited(N: ArrayLike, wavelength: ArrayLike, pitch: ArrayLike
     --------
     A pixel of 5 µm in green light of 0.55 µm:
 
-    >>> is_diffraction_limited([2.8, 4, 8], wavelength=0.55, pitch=5)
+    >>> is_diffraction_limited(np.array([2.8, 4, 8]), wavelength=0.55, pitch=5)
     array([False,  True,  True])
     """
     return airy_diameter(wavelength, N) > check_positive(pitch, "pitch")

@@ -104,7 +104,7 @@ def depth_of_field(
     N : float or array_like
         f-number, positive.
     focus_distance : float or array_like
-        Distance from the lens at which a point is sharp, in mm, larger than f; may be ``np.inf``.
+        Distance from the lens at which a point is sharp, in mm, larger than f.
     c : float or array_like
         Diameter of the largest spot that counts as sharp, in mm, positive. Arrays broadcast.
 

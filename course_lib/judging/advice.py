@@ -4,13 +4,25 @@ from __future__ import annotations
 
 #: Name of the exception, a piece of its message, and what it most often means.
 ADVICE = (
+    ("TypeError", "for ^", "In Python `^` is no power: write `f**2`."),
+    ("TypeError", "bitwise_xor", "In Python `^` is no power: write `f**2`."),
+    (
+        "TypeError",
+        "object is not callable",
+        "A number stands right before a bracket, so Python takes it for a function. "
+        "Is a `*` missing?",
+    ),
     (
         "TypeError",
         "'tuple'",
         "A tuple cannot be computed with. Make it an array: `np.array(…)`.",
     ),
     ("TypeError", "'list'", "A list cannot be computed with. Make it an array: `np.array(…)`."),
-    ("TypeError", "'NoneType'", "Something here is None. Does a function lack its `return`?"),
+    (
+        "TypeError",
+        "'NoneType'",
+        "Something here is None. Has a search found nothing, or does a function lack its `return`?",
+    ),
     (
         "AttributeError",
         "'NoneType'",

@@ -196,5 +196,5 @@ def _notes(answers: Sequence[Answer], reveal: bool) -> tuple[str, ...]:
     warned = list(dict.fromkeys(text for given in answers for text in given.warned))
     if warned and reveal:
         what = "; ".join(warned[:3])
-        notes.append(f"Python warned: {what}. This is harmless where the answer should be NaN.")
+        notes.append(f"Python warned: {what}. This is harmless where the answer is right.")
     return tuple(notes)

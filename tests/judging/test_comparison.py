@@ -105,3 +105,9 @@ def test_two_equal_rays_do_not_stand_for_two_different_ones():
     doubled = POINTS[[0, 0, 1]]
     assert RaySet()(doubled, POINTS) is not None
     assert RaySet()(POINTS, doubled) is not None
+
+
+def test_text_of_a_number_is_not_the_number():
+    assert Close()(50.0, "50") is not None
+    assert Close()("50", "50") is None
+    assert Close()({"f": (50.0, 50.0)}, {"f": ("50", "50")}) is not None

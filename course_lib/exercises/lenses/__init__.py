@@ -1,20 +1,22 @@
 """Chapter 03: the exercises on lenses."""
 
+from course_lib.exercises.lenses.diffraction import (
+    AIRY_DIAMETER,
+    EXPLAIN_STOPPED_DOWN,
+    IS_DIFFRACTION_LIMITED,
+)
 from course_lib.exercises.lenses.imaging import (
     F_NUMBER,
     IMAGE_DISTANCE,
     LENS_SYSTEM,
     OBJECT_DISTANCE,
-    PARSE_LENS_NAME,
 )
+from course_lib.exercises.lenses.names import PARSE_LENS_NAME
 from course_lib.exercises.lenses.sharpness import (
-    AIRY_DIAMETER,
     APERTURE_FOR_DEPTH,
     CLOSEUP_DEPTH_OF_FIELD,
     DEPTH_OF_FIELD,
-    EXPLAIN_STOPPED_DOWN,
     HYPERFOCAL_DISTANCE,
-    IS_DIFFRACTION_LIMITED,
 )
 
 #: In the order of the lesson.

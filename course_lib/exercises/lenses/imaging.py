@@ -73,6 +73,10 @@ OBJECT_DISTANCE = Exercise(
             wrong.magnification_alone,
             "A lens has no real image of an object inside its focal length. Is yours outside?",
         ),
+        Misconception(
+            wrong.bracket_forgotten,
+            "Python multiplies before it adds. Which part of your sum does f reach?",
+        ),
     ],
 )
 
@@ -141,51 +145,14 @@ LENS_SYSTEM = Exercise(
             wrong.planes_exchanged,
             "Which plane belongs to rays that come in parallel: the front or the back one?",
         ),
-    ],
-)
-
-PARSE_LENS_NAME = Exercise(
-    "lenses",
-    optics.parse_lens_name,
-    points=5,
-    parts={
-        "a prime lens": inputs.prime,
-        "a zoom": inputs.zoom,
-        "a zoom with one f-number": Part(inputs.zoom_of_one_aperture, weight=0.5),
-        "an f-number written as a ratio": inputs.ratio_notation,
-        "an f-number after a capital letter": Part(inputs.capital_letter, weight=0.5),
-        "a name that lacks one of the two": inputs.no_lens_name,
-    },
-    misconceptions=[
         Misconception(
-            wrong.first_numbers,
-            "Some names hold other numbers too. What stands right behind a focal length, and what "
-            "before an f-number?",
+            wrong.gap_left_out_of_the_power,
+            "Both planes are right. For the focal length you add the powers only: what does the "
+            "gap do to them?",
         ),
         Misconception(
-            wrong.whole_numbers,
-            "Print what your pattern finds in a name with 2.8 in it. Does it read past the point?",
-        ),
-        Misconception(
-            wrong.one_way_of_writing,
-            "Makers write the f-number in several ways. Which does your pattern not know?",
-        ),
-        Misconception(
-            wrong.first_of_a_range,
-            "Twist the zoom ring: the lens has two ends. Which of them have you read?",
-        ),
-        Misconception(
-            wrong.texts_for_numbers,
-            "Can one compute with your answer? What makes a number of the text '50'?",
-        ),
-        Misconception(
-            wrong.answers_anything,
-            "None goes on, and fails somewhere else. What should a name that tells nothing give?",
-        ),
-        Misconception(
-            wrong.every_lens_a_zoom,
-            "A prime lens has one focal length only. What is the pair then, and does your pattern "
-            "find it?",
+            wrong.back_plane_from_the_first_lens,
+            "Two numbers of three are right. From which lens does the task measure the back plane?",
         ),
     ],
 )

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.random import Generator
 
-from course_lib.judging import Known, Raises
+from course_lib.judging import Known
 
 Inputs = dict[str, Any]
 
@@ -114,6 +114,13 @@ def beyond_hyperfocal(rng: Generator) -> Known:
     return focused(rng, float(rng.uniform(0.1, 0.45)))
 
 
+def exactly_hyperfocal(rng: Generator) -> Known:
+    """Focus exactly on the hyperfocal distance, with plain numbers of which none is rounded."""
+    f, N, c = float(rng.integers(12, 200)), float(rng.choice([2, 4, 8, 16])), 2.0**-7
+    H = f * f / (N * c) + f
+    return Known({"f": f, "N": N, "focus_distance": H, "c": c}, (H / 2, np.inf))
+
+
 def focus_distances(rng: Generator) -> Known:
     return focused(rng, np.append(close_enough(rng, 3), rng.uniform(0.2, 0.4)))
 
@@ -215,64 +222,3 @@ def retrofocus(rng: Generator) -> Known:
     """Spread first, then collect: room for a mirror behind a wide lens."""
     f2 = rng.uniform(30, 80)
     return pair(-f2 * rng.uniform(1.3, 3), f2, rng.uniform(10, 60))
-
-
-# --- lens names ---------------------------------------------------------------------------------
-
-MAKERS = ("AF-S NIKKOR", "EF", "Nikkor", "FE", "XF", "Sonnar T*", "Lumix G X", "Fujinon", "SP")
-ENDINGS = ("", " ED VR", " G", " STM", " Macro", " IS II USM", " DC DN", " Di III")
-WIDE, LONG = (10.5, 14, 16, 17.5, 18, 24, 28), (55, 70, 85, 105, 140, 200, 300)
-FAST, SLOW = (2.8, 3.5, 4.0), (4.5, 5.6, 6.3)
-PRIMES, PRIME_STOPS = (8, 10.5, 12.5, 35, 50, 85, 100, 400), (1.2, 1.4, 1.8, 2.8, 4.5)
-
-
-def number(value: float) -> str:
-    return f"{value:g}"
-
-
-def named(rng: Generator, focal: tuple[Any, ...], stops: tuple[Any, ...], style: str) -> Known:
-    """Write a lens's name in a style, ``{f}`` for the focal length and ``{N}`` for the f-number."""
-    texts = {
-        "f": "-".join(map(number, dict.fromkeys(focal))),
-        "N": "-".join(map(number, dict.fromkeys(stops))),
-    }
-    words = {"maker": str(rng.choice(MAKERS)), "end": str(rng.choice(ENDINGS))}
-    truth = {
-        "focal_length": tuple(map(float, focal)),
-        "f_number": tuple(map(float, stops)),
-    }
-    return Known({"name": style.format(**texts, **words)}, truth)
-
-
-def prime(rng: Generator) -> Known:
-    f, N = rng.choice(PRIMES), rng.choice(PRIME_STOPS)
-    return named(rng, (f, f), (N, N), "{maker} {f}mm f/{N}{end}")
-
-
-def zoom(rng: Generator) -> Known:
-    focal, stops = (rng.choice(WIDE), rng.choice(LONG)), (rng.choice(FAST), rng.choice(SLOW))
-    return named(rng, focal, stops, "{maker} {f}mm f/{N}{end}")
-
-
-def zoom_of_one_aperture(rng: Generator) -> Known:
-    focal, N = (rng.choice(WIDE), rng.choice(LONG)), rng.choice((2.8, 4.5))
-    return named(rng, focal, (N, N), "{maker} {f}mm f/{N}{end}")
-
-
-def ratio_notation(rng: Generator) -> Known:
-    """Write the f-number as a ratio, after a mount whose name has numbers, too."""
-    focal, stops = (rng.choice(WIDE), rng.choice(LONG)), (rng.choice(FAST), rng.choice(SLOW))
-    return named(rng, focal, stops, "Zuiko 4/3 {f}mm 1:{N}{end}")
-
-
-def capital_letter(rng: Generator) -> Known:
-    f, N = rng.choice(PRIMES), rng.choice(PRIME_STOPS)
-    return named(rng, (f, f), (N, N), "{maker} {f} mm F{N}{end}")
-
-
-def no_lens_name(rng: Generator) -> Known:
-    """Write a name that lacks the focal length or the f-number."""
-    lens = prime(rng).inputs["name"]
-    focal, rest = lens.split("mm", 1)
-    lacking = (focal + "mm", focal.rpartition(" ")[0] + rest, "a box for " + focal + " lenses")
-    return Known({"name": str(rng.choice(lacking))}, Raises("ValueError"))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 import numpy as np
@@ -55,6 +54,10 @@ def object_to_sensor(f, m):
 
 def magnification_alone(f, m):
     return f * m
+
+
+def bracket_forgotten(f, m):
+    return f * 1 + 1 / m
 
 
 # --- f_number ---------------------------------------------------------------------------------
@@ -123,72 +126,11 @@ def planes_exchanged(f1, f2, d):
     return f, back, front
 
 
-# --- parse_lens_name --------------------------------------------------------------------------
+def gap_left_out_of_the_power(f1, f2, d):
+    _, front, back = read_off(bend(f2) @ go(d) @ bend(f1))
+    return 1 / (1 / f1 + 1 / f2), front, back
 
 
-def pair_of(texts: list[str]) -> Any:
-    return float(texts[0]), float(texts[-1])
-
-
-def found(pattern: str, name: str) -> Any:
-    return re.search(pattern, name)
-
-
-def first_numbers(name):
-    numbers = re.findall(r"\d+(?:\.\d+)?", name)
-    zoom = found(r"\d-\d[\d.]*\s*mm", name)
-    taken = 2 if zoom else 1
-    return {"focal_length": pair_of(numbers[:taken]), "f_number": pair_of(numbers[taken:])}
-
-
-def whole_numbers(name):
-    focal = found(r"(\d+)(?:\.\d+)?(?:-(\d+)(?:\.\d+)?)?\s*mm", name)
-    stops = found(r"(?:[fF]/?|1:)(\d+)(?:\.\d+)?(?:-(\d+)(?:\.\d+)?)?", name)
-    return {
-        "focal_length": pair_of([text for text in focal.groups() if text]),
-        "f_number": pair_of([text for text in stops.groups() if text]),
-    }
-
-
-def one_way_of_writing(name):
-    focal = found(r"([\d.]+)(?:-([\d.]+))?\s*mm", name)
-    stops = found(r"f/([\d.]+)(?:-([\d.]+))?", name)
-    return {
-        "focal_length": pair_of([text for text in focal.groups() if text]),
-        "f_number": pair_of([text for text in stops.groups() if text]),
-    }
-
-
-def first_of_a_range(name):
-    focal = found(r"([\d.]+)(?:-[\d.]+)?\s*mm", name)[1]
-    stop = found(r"(?:[fF]/?|1:)([\d.]+)", name)[1]
-    return {"focal_length": pair_of([focal]), "f_number": pair_of([stop])}
-
-
-def texts_for_numbers(name):
-    focal = found(r"([\d.]+)(?:-([\d.]+))?\s*mm", name)
-    stops = found(r"(?:[fF]/?|1:)([\d.]+)(?:-([\d.]+))?", name)
-    return {
-        "focal_length": (focal[1], focal[2] or focal[1]),
-        "f_number": (stops[1], stops[2] or stops[1]),
-    }
-
-
-def every_lens_a_zoom(name):
-    focal = found(r"([\d.]+)-([\d.]+)\s*mm", name)
-    stops = found(r"(?:[fF]/?|1:)([\d.]+)(?:-([\d.]+))?", name)
-    return {
-        "focal_length": (float(focal[1]), float(focal[2])),
-        "f_number": pair_of([text for text in stops.groups() if text]),
-    }
-
-
-def answers_anything(name):
-    focal = found(r"([\d.]+)(?:-([\d.]+))?\s*mm", name)
-    stops = found(r"(?:[fF]/?|1:)([\d.]+)(?:-([\d.]+))?", name)
-    if not focal or not stops:
-        return None
-    return {
-        "focal_length": pair_of([text for text in focal.groups() if text]),
-        "f_number": pair_of([text for text in stops.groups() if text]),
-    }
+def back_plane_from_the_first_lens(f1, f2, d):
+    f, front, back = read_off(bend(f2) @ go(d) @ bend(f1))
+    return f, front, d + back

@@ -33,6 +33,18 @@ def diameter_for_f_number(f, N, c):
     return f**2 * N / c + f
 
 
+def spot_above_the_bar(f, N, c):
+    return f**2 / N * c + f
+
+
+def focal_length_taken_off(f, N, c):
+    return f**2 / (N * c) - f
+
+
+def answer_in_metres(f, N, c):
+    return (f**2 / (N * c) + f) / 1000
+
+
 # --- depth_of_field ---------------------------------------------------------------------------
 
 
@@ -78,6 +90,27 @@ def decides_once(f, N, focus_distance, c):
     return (H - f) * s / (H + s - 2 * f), far
 
 
+def divides_before_it_chooses(f, N, focus_distance, c):
+    a = N * c * (focus_distance - f) / f**2
+    return focus_distance / (1 + a), np.where(a < 1, focus_distance / (1 - a), np.inf)
+
+
+def sign_taken_off(f, N, focus_distance, c):
+    a = N * c * (focus_distance - f) / f**2
+    return focus_distance / (1 + a), abs(focus_distance / (1 - a))
+
+
+def handbook_with_the_exact_hyperfocal(f, N, focus_distance, c):
+    H, s = f**2 / (N * c) + f, focus_distance
+    return H * s / (H + s), np.where(s < H, H * s / np.where(s < H, H - s, 1), np.inf)
+
+
+def handbook_with_half_of_the_focal_lengths(f, N, focus_distance, c):
+    H, s = f**2 / (N * c) + f, focus_distance
+    beyond = H - (s - f)
+    return H * s / (H + (s - f)), np.where(s < H, H * s / np.where(s < H, beyond, 1), np.inf)
+
+
 # --- aperture_for_depth -----------------------------------------------------------------------
 
 
@@ -119,6 +152,26 @@ def no_focus_for_infinity(f, near, far, c):
     return f**2 * (s - near) / (c * near * (s - f)), s
 
 
+def ratio(near: Any, far: Any) -> Any:
+    """Return (far − near) / (far + near), also for an infinite far end."""
+    return (1 - near / far) / (1 + near / far)
+
+
+def halfway_in_the_box(f, near, far, c):
+    s = (near + far) / 2
+    return f**2 / (c * (s - f)) * (far - near) / (far + near), s
+
+
+def multiplied_by_the_way_to_the_focus(f, near, far, c):
+    s = 2 / (1 / near + 1 / far)
+    return f**2 / c * (s - f) * ratio(near, far), s
+
+
+def two_lost(f, near, far, c):
+    s = 1 / (1 / near + 1 / far)
+    return f**2 / (c * (s - f)) * ratio(near, far), s
+
+
 # --- closeup_depth_of_field -------------------------------------------------------------------
 
 
@@ -140,6 +193,14 @@ def magnification_upside_down(m, N, c):
 
 def on_the_sensor_side(m, N, c):
     return 2 * c * N * (m + 1)
+
+
+def star_for_a_power(m, N, c):
+    return 2 * c * N * (m + 1) / m * 2
+
+
+def closeup_bracket_forgotten(m, N, c):
+    return 2 * c * N * m + 1 / m**2
 
 
 # --- airy_diameter ----------------------------------------------------------------------------
@@ -165,6 +226,18 @@ def airy_area(wavelength, f_number):
     return np.pi / 4 * (2.44 * wavelength * f_number) ** 2
 
 
+def airy_in_a_thousandth(wavelength, f_number):
+    return 2.44 * wavelength * f_number / 1000
+
+
+def always_green(wavelength, f_number):
+    return 2.44 * 0.00055 * f_number
+
+
+def always_green_in_micrometres(wavelength, f_number):
+    return 2.44 * 0.55 * f_number
+
+
 # --- is_diffraction_limited -------------------------------------------------------------------
 
 
@@ -186,3 +259,11 @@ def disk_against_diagonal(N, wavelength, pitch):
 
 def how_many_pixels(N, wavelength, pitch):
     return 2.44 * wavelength * N / pitch
+
+
+def pitch_times_a_thousand(N, wavelength, pitch):
+    return 2.44 * wavelength * N > pitch * 1000
+
+
+def pitch_by_a_thousand(N, wavelength, pitch):
+    return 2.44 * wavelength * N > pitch / 1000

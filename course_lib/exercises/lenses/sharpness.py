@@ -1,11 +1,11 @@
-"""Exercises of chapter 03 on what is sharp: depth of field, aperture, diffraction."""
+"""Exercises of chapter 03 on what is sharp: depth of field, aperture."""
 
 from __future__ import annotations
 
 from course_lib import optics
 from course_lib.exercises.lenses import inputs
 from course_lib.exercises.lenses import misconceptions_sharpness as wrong
-from course_lib.judging import Exercise, Explain, Misconception, Part, YesOrNo
+from course_lib.judging import Exercise, Misconception, Part
 
 HYPERFOCAL_DISTANCE = Exercise(
     "lenses",
@@ -40,6 +40,20 @@ HYPERFOCAL_DISTANCE = Exercise(
             wrong.diameter_for_f_number,
             "Stop the lens down: N grows. Should the range of sharpness begin nearer or farther?",
         ),
+        Misconception(
+            wrong.spot_above_the_bar,
+            "Python works from left to right. Does your line leave c below the fraction bar, or "
+            "put it above?",
+        ),
+        Misconception(
+            wrong.focal_length_taken_off,
+            "Very close. Solve for H once more: on which side of the equation do you take f away?",
+        ),
+        Misconception(
+            wrong.answer_in_metres,
+            "Your number is a thousand times too small. In which unit do all lengths come and go "
+            "here?",
+        ),
     ],
 )
 
@@ -48,8 +62,9 @@ DEPTH_OF_FIELD = Exercise(
     optics.depth_of_field,
     points=6,
     parts={
-        "focused before the hyperfocal distance": Part(inputs.before_hyperfocal, weight=3),
+        "focused before the hyperfocal distance": Part(inputs.before_hyperfocal, weight=2),
         "focused beyond it": Part(inputs.beyond_hyperfocal, weight=2),
+        "focused exactly on it": Part(inputs.exactly_hyperfocal, weight=1, cases=2),
         "several focus distances at once": Part(inputs.focus_distances, weight=1),
     },
     misconceptions=[
@@ -82,6 +97,26 @@ DEPTH_OF_FIELD = Exercise(
         Misconception(
             wrong.decides_once,
             "An `if` looks at one number. How does NumPy choose for each entry of an array?",
+        ),
+        Misconception(
+            wrong.divides_before_it_chooses,
+            "`np.where` gets both values ready before it chooses. What happens to the one that "
+            "it will not take?",
+        ),
+        Misconception(
+            wrong.sign_taken_off,
+            "Without its sign the number looks like a distance, but does the spot ever reach c "
+            "out there? Try a star.",
+        ),
+        Misconception(
+            wrong.handbook_with_the_exact_hyperfocal,
+            "This is the short form of the handbooks, with the exact H in it. Where does the box "
+            "have a focal length more?",
+        ),
+        Misconception(
+            wrong.handbook_with_half_of_the_focal_lengths,
+            "Nearly the exact formula: which of your focal lengths is still too many, if you "
+            "start from the number a?",
         ),
     ],
 )
@@ -126,6 +161,21 @@ APERTURE_FOR_DEPTH = Exercise(
             "What is infinity divided by infinity? Can you write the focus distance with 1 divided "
             "by far?",
         ),
+        Misconception(
+            wrong.halfway_in_the_box,
+            "The box for N holds for one focus distance only. Did you take that one, or the "
+            "middle of the range?",
+        ),
+        Misconception(
+            wrong.multiplied_by_the_way_to_the_focus,
+            "Python works from left to right. Is the way to the focus still below the fraction "
+            "bar in your line?",
+        ),
+        Misconception(
+            wrong.two_lost,
+            "Compare your focus distance with the near end. Is the lens focused inside the range "
+            "at all?",
+        ),
     ],
 )
 
@@ -158,92 +208,14 @@ CLOSEUP_DEPTH_OF_FIELD = Exercise(
             wrong.on_the_sensor_side,
             "This is how far the sensor may be off. How long is that in front of the lens?",
         ),
-    ],
-)
-
-AIRY_DIAMETER = Exercise(
-    "lenses",
-    optics.airy_diameter,
-    points=2,
-    parts={"one f-number": inputs.airy, "several f-numbers at once": inputs.several_airy},
-    misconceptions=[
         Misconception(
-            wrong.airy_radius,
-            "From the middle to the dark ring, or from one side of the ring to the other?",
+            wrong.star_for_a_power,
+            "One star multiplies in Python. How many stars make a power?",
         ),
         Misconception(
-            wrong.airy_without_its_factor,
-            "Right unit, right growth. Which number belongs to a round opening?",
-        ),
-        Misconception(
-            wrong.airy_divided,
-            "A smaller opening spreads the light more. Does N grow or shrink when you stop down?",
-        ),
-        Misconception(
-            wrong.wavelength_in_nanometres,
-            "You changed a unit. In which unit does the wavelength come, and the answer go?",
-        ),
-        Misconception(
-            wrong.airy_area,
-            "Which unit has your answer? You were asked for a diameter.",
+            wrong.closeup_bracket_forgotten,
+            "Python divides before it adds. What belongs above the fraction bar, and how does "
+            "Python see it?",
         ),
     ],
-)
-
-IS_DIFFRACTION_LIMITED = Exercise(
-    "lenses",
-    optics.is_diffraction_limited,
-    points=3,
-    compare=YesOrNo(),
-    parts={
-        "one camera at a time": Part(inputs.one_camera, cases=10),
-        "the stops of a lens": inputs.stops_of_a_lens,
-        "several sensors": inputs.several_sensors,
-    },
-    misconceptions=[
-        Misconception(
-            wrong.pixel_wider_than_disk,
-            "Think of a very small opening and fine pixels. What limits the detail then?",
-        ),
-        Misconception(
-            wrong.radius_against_pixel,
-            "You compare half of the disk with a whole pixel. How wide is the whole disk?",
-        ),
-        Misconception(
-            wrong.wavelengths_for_the_disk,
-            "Your disk is too small. Which number belongs to a round opening?",
-        ),
-        Misconception(
-            wrong.disk_against_diagonal,
-            "Which length of a pixel does the rule name: its side, or its diagonal?",
-        ),
-        Misconception(
-            wrong.how_many_pixels,
-            "You say how many pixels the disk is wide. The question wants a yes or a no: which?",
-        ),
-    ],
-)
-
-EXPLAIN_STOPPED_DOWN = Explain(
-    "lenses",
-    "explain_stopped_down",
-    rubric=[
-        (1, "Says that stopping down shrinks the blur of what is out of focus, as 1/N."),
-        (1, "Says that diffraction grows with N and blurs everything, also what is in focus."),
-        (1, "Compares the Airy disk with the pixel, or with the blur, by a number."),
-        (
-            1,
-            "Proposes a remedy: the f-number where both are about equal, focus that splits the "
-            "range, a shorter lens or smaller magnification, or several pictures.",
-        ),
-    ],
-    model_answer=(
-        "Stopping down makes the cone of light narrower, so the ends of the part, which are out of "
-        "focus, get sharper: their spot shrinks as 1/N. But diffraction spreads every point, also "
-        "those in focus, over an Airy disk that grows as N: at f/22 in green light it measures "
-        "2.44 · 0.00055 mm · 22, about 0.03 mm or nine pixels of 3.45 µm, so the whole picture is "
-        "soft. Choose the f-number at which the spot of the ends and the Airy disk are about "
-        "equally large, focus so that both ends blur alike, and if that is not enough, step back "
-        "(a smaller magnification is deeper) or take several pictures with different focus."
-    ),
 )

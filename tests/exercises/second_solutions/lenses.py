@@ -33,7 +33,8 @@ def depth_of_field(f, N, focus_distance, c):
         sensor, d = 1 / (1 / f - 1 / s), f / N
         behind, before = sensor * d / (d - c), sensor * d / (d + c)
         near.append(1 / (1 / f - 1 / behind))
-        far.append(1 / (1 / f - 1 / before) if before > f else math.inf)
+        # Focused exactly on H, only rounding keeps the far limit from infinity.
+        far.append(1 / (1 / f - 1 / before) if before > f * (1 + 1e-12) else math.inf)
     if np.ndim(focus_distance):
         return np.array(near), np.array(far)
     return near[0], far[0]

@@ -1,0 +1,76 @@
+"""Wrong ways of reading a lens's name, as students write them."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+#: Right patterns for the focal length and for the f-number; group 2 is missing for a single one.
+FOCAL = r"([\d.]+)(?:-([\d.]+))?\s*mm"
+STOPS = r"(?:[fF]/?|1:)([\d.]+)(?:-([\d.]+))?"
+
+
+def read(name: str, focal: str = FOCAL, stops: str = STOPS) -> Any:
+    """Return what two patterns find, as a student's function would; None has no groups."""
+    pairs = []
+    for pattern in (focal, stops):
+        match: Any = re.search(pattern, name)
+        texts = [text for text in (match[1], match[2]) if text]
+        pairs.append((float(texts[0]), float(texts[-1])))
+    return {"focal_length": pairs[0], "f_number": pairs[1]}
+
+
+def refuse_what_tells_nothing(name: str) -> None:
+    if not (re.search(FOCAL, name) and re.search(STOPS, name)):
+        raise ValueError(name)
+
+
+def first_numbers(name):
+    numbers = [float(text) for text in re.findall(r"\d+(?:\.\d+)?", name)]
+    taken = 2 if re.search(r"\d-\d[\d.]*\s*mm", name) else 1
+    focal, stops = numbers[:taken], numbers[taken:]
+    return {"focal_length": (focal[0], focal[-1]), "f_number": (stops[0], stops[-1])}
+
+
+def whole_numbers(name):
+    focal = r"(\d+)(?:\.\d+)?(?:-(\d+)(?:\.\d+)?)?\s*mm"
+    stops = r"(?:[fF]/?|1:)(\d+)(?:\.\d+)?(?:-(\d+)(?:\.\d+)?)?"
+    return read(name, focal, stops)
+
+
+def digits_after_the_point(name):
+    refuse_what_tells_nothing(name)
+    return read(name, focal=r"(\d+)(?:-(\d+))?\s*mm")
+
+
+def no_space_allowed(name):
+    refuse_what_tells_nothing(name)
+    return read(name, focal=r"([\d.]+)(?:-([\d.]+))?mm")
+
+
+def one_way_of_writing(name):
+    return read(name, stops=r"f/([\d.]+)(?:-([\d.]+))?")
+
+
+def first_of_a_range(name):
+    return {key: (first, first) for key, (first, _) in read(name).items()}
+
+
+def texts_for_numbers(name):
+    pairs = read(name)
+    return {key: tuple(f"{value:g}" for value in pair) for key, pair in pairs.items()}
+
+
+def every_lens_a_zoom(name):
+    return read(name, focal=r"([\d.]+)-([\d.]+)\s*mm")
+
+
+def answers_anything(name):
+    try:
+        return read(name)
+    except TypeError:
+        return None
+
+
+def search_may_find_nothing(name):
+    return read(name)

@@ -1,0 +1,71 @@
+"""Exercise of chapter 03 on what a lens is called."""
+
+from __future__ import annotations
+
+from course_lib import optics
+from course_lib.exercises.lenses import inputs_names as inputs
+from course_lib.exercises.lenses import misconceptions_names as wrong
+from course_lib.judging import Exercise, Misconception, Part
+
+PARSE_LENS_NAME = Exercise(
+    "lenses",
+    optics.parse_lens_name,
+    points=5,
+    parts={
+        "a prime lens": inputs.prime,
+        "a zoom": inputs.zoom,
+        "a zoom with one f-number": Part(inputs.zoom_of_one_aperture, weight=0.5),
+        "an f-number written as a ratio": inputs.ratio_notation,
+        "an f-number after a capital letter": Part(inputs.capital_letter, weight=0.5),
+        "a focal length with a point": Part(inputs.with_a_point, weight=0.5),
+        "a space before mm": Part(inputs.space_before_mm, weight=0.5),
+        "a name that lacks one of the two": inputs.no_lens_name,
+    },
+    misconceptions=[
+        Misconception(
+            wrong.first_numbers,
+            "Some names hold other numbers too. What stands right behind a focal length, and what "
+            "before an f-number?",
+        ),
+        Misconception(
+            wrong.whole_numbers,
+            "Print what your pattern finds in a name with 2.8 in it. Does it read past the point?",
+        ),
+        Misconception(
+            wrong.one_way_of_writing,
+            "Makers write the f-number in several ways. Which does your pattern not know?",
+        ),
+        Misconception(
+            wrong.first_of_a_range,
+            "Twist the zoom ring: the lens has two ends. Which of them have you read?",
+        ),
+        Misconception(
+            wrong.texts_for_numbers,
+            "Can one compute with your answer? What makes a number of the text '50'?",
+        ),
+        Misconception(
+            wrong.answers_anything,
+            "None goes on, and fails somewhere else. What should a name that tells nothing give?",
+        ),
+        Misconception(
+            wrong.every_lens_a_zoom,
+            "A prime lens has one focal length only. What is the pair then, and does your pattern "
+            "find it?",
+        ),
+        Misconception(
+            wrong.digits_after_the_point,
+            "Print what your pattern finds for the focal length 10.5. Does `\\d` alone know the "
+            "point?",
+        ),
+        Misconception(
+            wrong.no_space_allowed,
+            "Some makers write a space between the number and mm. Which sign in a pattern allows "
+            "for it?",
+        ),
+        Misconception(
+            wrong.search_may_find_nothing,
+            "What does `re.search` give when it finds nothing, and what should the function do "
+            "then?",
+        ),
+    ],
+)

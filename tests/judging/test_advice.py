@@ -1,0 +1,36 @@
+"""What a beginner reads when Python says something that only programmers understand."""
+
+import re
+
+import numpy as np
+import pytest
+
+from course_lib.judging.advice import advice
+
+
+def said(function, *inputs):
+    """Return the advice for what a function raises."""
+    with pytest.raises(Exception) as raised:  # noqa: PT011 - any exception has its advice
+        function(*inputs)
+    return advice(type(raised.value).__name__, str(raised.value))
+
+
+@pytest.mark.parametrize("f", [24.0, np.float64(24), np.array([24.0])])
+def test_caret_is_no_power(f):
+    assert "`f**2`" in said(lambda f: f ^ 2, f)
+
+
+@pytest.mark.parametrize("f", [24.0, 24, np.float64(24), np.array([24.0])])
+def test_bracket_after_a_number_lacks_a_star(f):
+    assert "`*` missing" in said(lambda f: f(1 + 1 / 2), f)
+
+
+def test_search_that_found_nothing():
+    for use in (lambda: re.search("mm", "a")[1], lambda: re.search("mm", "a").groups()):
+        assert "Has a search found nothing" in said(use)
+
+
+def test_other_advice_is_not_hidden():
+    assert "np.array" in said(lambda points: points / 2, [1, 2])
+    assert "divisor is zero" in said(lambda: 1.0 / 0)
+    assert advice("KeyError", "'a'") == ""
