@@ -87,7 +87,7 @@ def photogrammetric_from_opencv(coefficients: ArrayLike, f: float) -> Photogramm
     >>> photogrammetric_from_opencv([-0.2], f=1000).radial
     array([-2.e-07,  0.e+00,  0.e+00])
     """
-    k, f = check_coefficients(coefficients), check_length(f, "f")
+    k, f = check_coefficients(coefficients), _check_principal_distance(f)
     if k[5:].any():
         raise ValueError(
             "photogrammetry's form has no rational and no prism terms (k4 … s4), but these are "
@@ -128,7 +128,7 @@ def opencv_from_photogrammetric(radial: ArrayLike, tangential: ArrayLike, f: flo
     >>> opencv_from_photogrammetric([-2e-7, 0, 0], [0, 1e-6], f=1000).round(9)
     array([-0.2  ,  0.   ,  0.   ,  0.001,  0.   ])
     """
-    f = check_length(f, "f")
+    f = _check_principal_distance(f)
     k = check_vector(radial, 3, "radial") * f ** np.array([2, 4, 6])
     p = check_vector(tangential, 2, "tangential") * f
     return check_coefficients([k[0], k[1], p[0], p[1], k[2]])[:5]
@@ -211,3 +211,9 @@ def opencv_from_bouguet(
     cx, cy = check_vector(cc, 2, "cc")
     K = np.array([[fx, check_number(alpha_c, "alpha_c") * fx, cx], [0, fy, cy], [0, 0, 1]])
     return check_intrinsics(K), check_coefficients(check_vector(kc, 5, "kc"))[:5]
+
+
+def _check_principal_distance(f: float) -> float:
+    if not 1e-3 <= check_length(f, "f") <= 1e9:
+        raise ValueError(f"f must be a principal distance in px or mm, got {f:g}: check its unit")
+    return check_length(f, "f")

@@ -159,7 +159,11 @@ def _newton_step(x: Array, y: Array, x_d: Array, y_d: Array, k: Array) -> tuple[
 def _undistort_carefully(distorted: Array, k: Array, limit: float) -> Array:
     """Return ideal points by Newton's method from several starts; NaN where there is none."""
     far = np.hypot(*distorted.T)
-    start = distorted * (_invert_radial(k, limit, far) / far)[:, None]
+    r, end = _invert_radial(k, limit, far)
+    if not k[[2, 3, 8, 9, 10, 11]].any():
+        return np.asarray(distorted * (r / far)[:, None])
+    # Tangential terms may still bring a point within reach.
+    start = distorted * (np.where(np.isnan(r), end, r) / far)[:, None]
     undistorted = np.full_like(distorted, np.nan)
     # At the fold no step is of use; then a start nearer to the centre is.
     for share in (1.0, 0.8, 0.5):
@@ -191,8 +195,8 @@ def _descend(start: Array, distorted: Array, k: Array) -> Array:
     return np.where(good[:, None], np.stack([x, y], axis=-1), np.nan)
 
 
-def _invert_radial(k: Array, limit: float, far: Array) -> Array:
-    """Return the ideal distance for each distorted one, by the radial terms; at most the limit."""
+def _invert_radial(k: Array, limit: float, far: Array) -> tuple[Array, float]:
+    """Return the ideal distance for each distorted one, by the radial terms, and the largest."""
 
     def distance(r: Array) -> Array:
         return r * radial_factor(r * r, k)
@@ -202,9 +206,7 @@ def _invert_radial(k: Array, limit: float, far: Array) -> Array:
         return factor + 2 * r * r * slope
 
     end = _end(k, limit, float(far.max(initial=0)))
-    r = invert_increasing(far, distance, rise, end)
-    # Tangential terms may still bring a point within reach.
-    return np.where(np.isnan(r), end, r)
+    return invert_increasing(far, distance, rise, end), end
 
 
 def _end(k: Array, limit: float, farthest: float) -> float:
@@ -223,7 +225,7 @@ def radial_guess(k: Array, limit: float, farthest: float) -> Radial:
     """
     r = np.linspace(0, _end(k, limit, farthest), ENTRIES)
     r_d = r * radial_factor(r * r, k)
-    top = min(farthest, r_d[-1]) or 1.0
+    top = max(min(farthest, r_d[-1]), 1e-9)
     square = np.linspace(0, top**2, ENTRIES)
     ratio = np.ones(ENTRIES)
     ratio[1:] = np.interp(np.sqrt(square[1:]), r_d, r) / np.sqrt(square[1:])

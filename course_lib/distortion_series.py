@@ -160,9 +160,9 @@ def radial_correction(
     array([0.2  , 0.11 , 0.156])
     """
     k, limit = check_coefficients(coefficients), valid_radius(coefficients)
-    if not 0 < check_number(radius, "radius") <= limit:
+    if not 1e-6 <= check_number(radius, "radius") <= limit:
         raise ValueError(
-            f"radius must be above 0 and not beyond the valid radius {limit:g}, got {radius:g}"
+            f"radius must be above 1e-6 and not beyond the valid radius {limit:g}, got {radius:g}"
         )
     if not 1 <= terms <= 10:
         raise ValueError(f"terms must be 1 to 10, got {terms}")

@@ -107,7 +107,8 @@ def distortion_from_lines(lines: Sequence[ArrayLike], K: ArrayLike, terms: int =
         If a shape is wrong, a number is not finite, a line has fewer than three points, or there
         are no more points than unknowns.
     DegenerateConfigurationError
-        If the lines do not determine the coefficients: those through the centre stay straight.
+        If the lines do not determine the coefficients (those through the centre stay straight), or
+        are so crooked that no lens straightens them.
 
     References
     ----------
@@ -129,6 +130,8 @@ def distortion_from_lines(lines: Sequence[ArrayLike], K: ArrayLike, terms: int =
     if terms not in (1, 2):
         raise ValueError(f"terms must be 1 (k1) or 2 (k1 and k2), got {terms!r}")
     pixels = [_check_line(line) for line in lines]
+    if not pixels:
+        raise ValueError("lines must be one or more lines, got none")
     K, count = check_intrinsics(K), sum(map(len, pixels))
     if count - 2 * len(pixels) <= terms:  # each line has two unknowns of its own
         raise ValueError(
@@ -141,8 +144,13 @@ def distortion_from_lines(lines: Sequence[ArrayLike], K: ArrayLike, terms: int =
     def distances(k: Array) -> Array:
         return _bent_distances(points, ends, K, k)
 
-    fit = least_squares(distances, np.zeros(terms), jac="3-point", xtol=1e-12, ftol=1e-12)
-    return _judged(fit.x, fit.jac, fit.fun, distances(np.zeros(terms)), count - 2 * len(pixels))
+    start, tight = np.zeros(terms), {"xtol": 1e-12, "ftol": 1e-12, "max_nfev": 60}
+    fit = least_squares(distances, start, jac="3-point", **tight)
+    if not fit.success:
+        raise DegenerateConfigurationError(
+            "no lens straightens these lines: leave out what is not the picture of a straight line"
+        )
+    return _judged(fit.x, fit.jac, fit.fun, distances(start), count - 2 * len(pixels))
 
 
 def _judged(k: Array, jacobian: Array, after: Array, before: Array, freedom: int) -> PlumbLines:
