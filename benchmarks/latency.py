@@ -37,7 +37,7 @@ EXPLORERS = {
     ),
     "lenses": (
         ("depth of field", "depth_of_field_explorer", "Depth of field", "f"),
-        ("ray tracer", "ray_tracer_explorer", "Rays through thin lenses", "Z"),
+        ("ray tracer", "ray_tracer_explorer", "Rays through a thin lens", "Z"),
         ("aperture window", "aperture_window_explorer", "The aperture window", "N"),
     ),
     "sensor": (

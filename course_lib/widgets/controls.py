@@ -88,6 +88,10 @@ class Slider:
         number = min(max(number, self.start), self.stop)
         return min(self.positions, key=lambda p: abs(p - number))
 
+    def refusal(self, value: object) -> str:
+        """Return nothing: every number has a nearest position."""
+        return ""
+
     def text(self, value: float) -> str:
         """Return `value` as it is shown, without the unit."""
         if not self.steps:
@@ -127,6 +131,13 @@ class Choice:
         """Return `value` if it is an option, else the default."""
         return value if isinstance(value, str) and value in self.options else self.default
 
+    def refusal(self, value: object) -> str:
+        """Return why a value from Python is refused, or nothing."""
+        if value in self.options:
+            return ""
+        options = ", ".join(repr(option) for option in self.options)
+        return f"{self.name} must be one of {options}, got {value!r}"
+
     def spec(self) -> dict[str, Any]:
         """Return what the browser needs to show it."""
         return {
@@ -149,6 +160,12 @@ class Switch:
     def nearest(self, value: object) -> bool:
         """Return `value` if it is true or false, else the default."""
         return value if isinstance(value, bool) else self.default
+
+    def refusal(self, value: object) -> str:
+        """Return why a value from Python is refused, or nothing."""
+        return (
+            "" if isinstance(value, bool) else f"{self.name} must be True or False, got {value!r}"
+        )
 
     def spec(self) -> dict[str, Any]:
         """Return what the browser needs to show it."""

@@ -95,17 +95,19 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         Parameters
         ----------
         **state
-            New values by control name; each moves to the nearest position of its control.
+            New values by control name; a slider moves to its nearest position.
 
         Raises
         ------
         ValueError
-            If there is no control of that name.
+            If there is no control of that name, or a choice or a switch has no such value.
         """
         unknown = sorted(set(state) - set(self._controls))
         if unknown:
             names = ", ".join(self._controls)
             raise ValueError(f"no control named {', '.join(unknown)}; there are {names}")
+        if refused := [why for n, v in state.items() if (why := self._controls[n].refusal(v))]:
+            raise ValueError("; ".join(refused))
         message, buffers = self._answer(state)
         self.send(message, buffers)
 

@@ -21,8 +21,8 @@ EXPLORERS = {
     "rays": (
         "lenses",
         "ray_tracer_explorer",
-        "Rays through thin lenses",
-        "Distance of the object Z",
+        "Rays through a thin lens",
+        "Object distance Z",
     ),
     "window": ("lenses", "aperture_window_explorer", "The aperture window", "f-number N"),
     "exposure": (

@@ -111,7 +111,7 @@ def test_the_view_narrows_when_the_lens_focuses_near():
 @pytest.mark.parametrize("second", rays.SECOND)
 def test_drawn_rays_meet_in_the_image(second):
     frame = RAYS(150, 60, second, 80, 40)
-    image = value(frame, "Image behind the last lens")
+    image = float(frame.readouts[0].value)
     m = value(frame, "Magnification")
     last = 0 if second == rays.ONE else 40
     drawn = [line for line in frame.pictures[0].lines if line.role == "ray" and line.width == 2.0]
@@ -152,16 +152,42 @@ def test_principal_planes_belong_to_two_lenses():
 
 
 def test_a_virtual_image_is_dashed_and_named():
-    frame = RAYS(40, 60, rays.ONE, 30, 30)
-    assert value(frame, "Image behind the last lens") == -120
+    frame = RAYS(40, 60)
+    assert value(frame, "Image behind the lens") == -120
     assert "virtual image" in texts(frame.pictures[0])
     assert [line for line in frame.pictures[0].lines if line.dashed and line.role == "ray"]
 
 
 def test_parallel_rays_make_no_image():
     for frame in (RAYS(60, 60, rays.ONE, 30, 30), RAYS(300, 50, rays.SPREADING, 30, 30)):
-        assert value(frame, "Image behind the last lens") == np.inf
+        assert frame.readouts[0].value == "∞"
         assert not [t for t in texts(frame.pictures[0]) if "image" in t]
+
+
+def test_one_lens_has_no_numbers_of_a_system():
+    assert [r.label for r in RAYS(150, 60).readouts] == ["Image behind the lens", "Magnification"]
+
+
+@pytest.mark.parametrize(
+    ("Z", "words"),
+    [(65, "image 780 mm behind the lens →"), (55, "← virtual image 660 mm before the lens")],
+)
+def test_an_image_out_of_the_picture_is_announced(Z, words):
+    assert words in texts(RAYS(Z, 60).pictures[0])
+
+
+def test_light_of_a_far_object_comes_in_parallel_and_leaves_a_telescope_so():
+    frame = RAYS(1e6, 50, rays.SPREADING, 30, 20)
+    drawn = [line for line in frame.pictures[0].lines if line.role == "ray" and line.width == 2.0]
+    assert len(drawn) == 3
+    for line in drawn:
+        (_, v0), (_, v1), *_, (_, v2), (_, v3) = np.asarray(line.points)
+        assert v0 == pytest.approx(v1, abs=0.1)
+        assert v2 == pytest.approx(v3, abs=0.1)
+    assert frame.readouts[0].value == "∞"
+    assert value(frame, "Focal length of the whole") == np.inf
+    assert "← object 1000 m away" in texts(frame.pictures[0])
+    assert value(RAYS(1e6, 50, rays.SPREADING, 30, 30), "Focal length of the whole") == 150
 
 
 # The window
@@ -228,7 +254,8 @@ def test_axes_take_their_ends_to_their_corners_and_leave_the_rest_out():
 
 EXPLORERS = {
     "depth": (widgets.depth_of_field_explorer, {"N": 16.0, "f": 24.0}),
-    "rays": (widgets.ray_tracer_explorer, {"second": rays.SPREADING, "Z": 40}),
+    "rays": (widgets.ray_tracer_explorer, {"f1": 100, "Z": 40}),
+    "two lenses": (widgets.two_lens_explorer, {"second": rays.COLLECTING, "Z": 40}),
     "window": (widgets.aperture_window_explorer, {"N": 22.0, "pitch": 3.5}),
 }
 

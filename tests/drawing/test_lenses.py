@@ -150,9 +150,11 @@ def test_rays_of_the_construction_meet_in_the_image():
 def test_a_pixel_of_the_lecture_sees_eight_tenths_of_a_millimetre():
     (ax,) = draw.pixel_on_object(width=80, sensor_width=4, pixels=100).axes
     said = [text.get_text() for text in ax.texts]
-    assert {"m = 1/20", "a pixel sees 0.8 mm", "5 × 5 pixels of 0.04 mm"} <= set(said)
+    assert {"m = 1/20", "a pixel sees 0.8 mm", "100 pixels of 0.04 mm"} <= set(said)
     widths = [np.ptp(patch.get_xy()[:, 0]) for patch in ax.patches]
     assert widths[:2] == pytest.approx([80, 4])
+    part = next(line for line in ax.lines if np.ptp(line.get_xdata()) == pytest.approx(4.0))
+    assert np.ptp(part.get_xdata()) / 5 == pytest.approx(0.8)  # five pixels across
 
 
 def test_spots_of_the_cones_are_circles_of_confusion():
@@ -180,6 +182,21 @@ def test_branches_cross_at_the_best_focus():
     crossing = near[np.argmin(np.abs(near[:, 1] - far[:, 1]))]
     N, D = optics.aperture_for_depth(50, 1000, 1500, 0.02)
     assert crossing == pytest.approx([D, N], rel=0.01)
+
+
+def test_a_right_star_is_not_hidden_by_the_best_focus():
+    N, D = optics.aperture_for_depth(50, 1000, 1500, 0.02)
+    (ax,) = draw.aperture_branches(50, 1000, 1500, 0.02, yours=(N, D)).axes
+    ring, star = (line for line in ax.lines if np.allclose(line.get_xydata(), (D, N)))
+    assert ring.get_markerfacecolor() == "none"
+    assert ring.get_markersize() > star.get_markersize()
+
+
+def test_a_wrong_star_stays_off_the_words():
+    far_left, right = (-300, 0, 0), (150, 0, -90)
+    (first, second, _) = draw.zoom(yours=[far_left, right, None]).axes
+    stars = [[x for x in ax.lines if x.get_marker() == "*"] for ax in (first, second)]
+    assert [len(found) for found in stars] == [0, 1]
 
 
 def test_window_marks_the_smallest_sum():

@@ -151,3 +151,9 @@ def test_errors():
         Explorer("Twice", (CONTROLS[0], CONTROLS[0]), frame)
     with pytest.raises(ValueError, match="no control named focal; there are f, g, sensor, coupled"):
         Explorer("Bench", CONTROLS, frame).set(focal=3)
+    before = (explorer := Explorer("Bench", CONTROLS, frame)).state
+    with pytest.raises(ValueError, match="sensor must be one of 'FX', 'DX', got 'XX'"):
+        explorer.set(sensor="XX", f=30)
+    with pytest.raises(ValueError, match="coupled must be True or False, got 'no'"):
+        explorer.set(coupled="no")
+    assert explorer.state == before

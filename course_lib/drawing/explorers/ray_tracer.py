@@ -28,16 +28,19 @@ ALONG, UP = 1.0, 3.0  # px a mm: heights are drawn larger than lengths
 HEIGHT = 15.0  # mm: of the object
 FAR = 1e5  # mm: what is farther, or larger than this, is called infinite
 RIM = 28.0  # mm: half the height of a lens
+DISTANT = 5000.0  # mm: the light of what is farther is drawn as nearly parallel
 ENDS = ((0 - LENS_U) / ALONG, (SIZE[0] - LENS_U) / ALONG)  # mm: what the picture shows
 
 
-def ray_tracer_frame(Z: float, f1: float, second: str, f2: float, d: float) -> Frame:
+def ray_tracer_frame(
+    Z: float, f1: float, second: str = ONE, f2: float = 30.0, d: float = 30.0
+) -> Frame:
     """Return rays from an object through one or two lenses.
 
     Parameters
     ----------
     Z : float
-        Distance from the object to the first lens, mm.
+        Distance from the object to the first lens, mm; its light is parallel when it is large.
     f1, f2 : float
         Focal lengths, mm, positive; that of the second lens counts negative when it spreads.
     second : str
@@ -69,7 +72,10 @@ def ray_tracer_frame(Z: float, f1: float, second: str, f2: float, d: float) -> F
         ),
         labels=(*labels, *_labels(Z, lenses, image, m)),
     )
-    return Frame((drawing,), _numbers(image, m, focal, front, back))
+    numbers = _image_numbers(image, m, len(lenses))
+    if len(lenses) > 1:
+        numbers += _system_numbers(focal, front, back)
+    return Frame((drawing,), numbers)
 
 
 def _elements(lenses: list[tuple[float, float]]) -> list[Floats]:
@@ -106,8 +112,10 @@ def _path(Z: float, at_lens: float, lenses: list[tuple[float, float]]) -> Floats
     angle = (at_lens - HEIGHT) / Z
     way = [free_space(Z), *_elements(lenses)[1:], free_space(ENDS[1] - lenses[-1][0])]
     heights = trace_rays(way, (HEIGHT, angle))[:, 0]
-    places = [-Z, *(where for where, _ in lenses), ENDS[1]]
-    return np.stack([places, [heights[0], *heights[1:-1:2], heights[-1]]], axis=1)
+    start = min(Z, 10 - ENDS[0])  # a far object lies out of the picture
+    places = [-start, *(where for where, _ in lenses), ENDS[1]]
+    first = HEIGHT + angle * (Z - start)
+    return np.stack([places, [first, *heights[1:-1:2], heights[-1]]], axis=1)
 
 
 def _rays(Z: float, lenses: list[tuple[float, float]], image: float) -> list[Line]:
@@ -116,7 +124,9 @@ def _rays(Z: float, lenses: list[tuple[float, float]], image: float) -> list[Lin
     rims = [_path(Z, y, lenses) for y in (RIM, -RIM)]
     lines = [Line(_pixels(np.vstack([rims[0], rims[1][::-1]])), "ray", 0.5, closed=True, fill=0.12)]
     heights = [HEIGHT, 0.0]
-    if abs(Z - f1) > 1e-9:
+    if Z > DISTANT:
+        heights.append(-HEIGHT)
+    elif abs(Z - f1) > 1e-9:
         heights.append(-HEIGHT * f1 / (Z - f1))  # it passes the front focal point
     paths = [_path(Z, y, lenses) for y in heights if abs(y) <= RIM]
     lines += [Line(_pixels(path), "ray", 2.0) for path in paths]
@@ -136,7 +146,7 @@ def _scene(Z: float, lenses: list[tuple[float, float]]) -> list[Line]:
         lines += _lens(where, f)
     f1 = lenses[0][1]
     lines += [Line(disc(_at(x, 0), 4), "camera", 1.0, closed=True, fill=1.0) for x in (-f1, f1)]
-    return [*lines, *_arrow(-Z, HEIGHT, "object")]
+    return [*lines, *(_arrow(-Z, HEIGHT, "object") if _shown(-Z) else [])]
 
 
 def _lens(where: float, f: float) -> list[Line]:
@@ -189,7 +199,7 @@ def _labels(
     """Return the names of what is seen."""
     f1 = lenses[0][1]
     labels = [
-        Label("object", _at(-Z, HEIGHT, 0, -12), "object", "middle"),
+        _object_label(Z),
         Label("F", _at(-f1, 0, 0, 16), "camera", "middle"),
         Label("F′", _at(f1, 0, 0, 16), "camera", "middle"),
         Label("lens 1" if len(lenses) > 1 else "lens", _at(0, RIM, 0, -14), "camera", "middle"),
@@ -199,20 +209,45 @@ def _labels(
         near = lenses[1][0] < 48  # the names would touch
         labels.append(Label("2" if near else "lens 2", _at(lenses[1][0], RIM, 0, -14), "camera"))
     place = lenses[-1][0] + image
-    if _shown(place):
+    if not _shown(place):
+        labels += _outside(image, len(lenses))
+    else:
         name = "image" if image > 0 else "virtual image"
         tip = float(np.clip(HEIGHT * m, -46, 46))
         labels.append(Label(name, _at(place, tip, 0, 13 if m < 0 else -12), "image", "middle"))
     return tuple(labels)
 
 
-def _numbers(
-    image: float, m: float, focal: float, front: float, back: float
-) -> tuple[Readout, ...]:
-    """Return the numbers beside the drawing."""
+def _object_label(Z: float) -> Label:
+    """Return the name of the object, or from how far its light comes."""
+    if _shown(-Z):
+        return Label("object", _at(-Z, HEIGHT, 0, -12), "object", "middle")
+    return Label(f"← object {Z / 1000:g} m away", (8, _at(0, HEIGHT)[1] - 12), "object")
+
+
+def _outside(image: float, count: int) -> list[Label]:
+    """Return where an image is that lies out of the picture; nothing where there is none."""
+    if abs(image) > FAR:
+        return []
+    last = "the lens" if count == 1 else "lens 2"
+    if image > 0:
+        text = f"image {_text(image, 0)} mm behind {last} →"
+        return [Label(text, (SIZE[0] - 8, SIZE[1] - 10), "image", "end")]
+    return [Label(f"← virtual image {_text(-image, 0)} mm before {last}", (8, 12), "image")]
+
+
+def _image_numbers(image: float, m: float, count: int) -> tuple[Readout, ...]:
+    """Return the numbers of the image."""
+    last = "the lens" if count == 1 else "the last lens"
     return (
-        Readout("Image behind the last lens", "s", _text(image, 1), "mm"),
+        Readout(f"Image behind {last}", "s", _text(image, 1), "mm"),
         Readout("Magnification", "", _text(m, 2), "×"),
+    )
+
+
+def _system_numbers(focal: float, front: float, back: float) -> tuple[Readout, ...]:
+    """Return the numbers of two lenses that act as one."""
+    return (
         Readout("Focal length of the whole", "f", _text(focal, 1), "mm"),
         Readout("Power of the whole", "1/f", _text(1000 / focal, 1), "dpt"),
         Readout("H behind lens 1", "", _text(front, 1), "mm"),
@@ -224,13 +259,13 @@ def _text(value: float, digits: int) -> str:
     """Return a number with a true minus sign, or the sign of infinity."""
     if abs(value) > FAR:
         return "∞"
-    return f"{value + 0.0:.{digits}f}".replace("-", "−")
+    return f"{round(value, digits) + 0.0:.{digits}f}".replace("-", "−")
 
 
 def _in_words(Z: float, lenses: list[tuple[float, float]], image: float, m: float) -> str:
     """Say what the drawing shows."""
     glass = " and ".join(f"f = {_text(f, 0)} mm" for _, f in lenses)
-    start = f"An object {Z:g} mm before a lens, {glass}: "
+    start = f"An object {Z:.0f} mm before a lens, {glass}: "
     if abs(image) > FAR:
         return start + "the rays leave parallel, and there is no image."
     kind = "a real image" if image > 0 else "a virtual image"

@@ -54,7 +54,7 @@ def blur_cones(
         Two side views, to scale.
     """
     sensor = float(image_distance(f, focus))
-    fig, axes = panels(2, 1, (FULL_WIDTH, 5.0))
+    fig, axes = panels(2, 1, (FULL_WIDTH, 5.8))
     titles = (
         "A near point: its light would meet behind the sensor",
         "A far point: its light has met before the sensor",
@@ -68,8 +68,11 @@ def blur_cones(
         write(ax, (-focus, 1.1), "in focus", "guide")
         write(ax, (sensor, 1.15), "sensor", "guide")
         write(ax, (0.22, -0.72), "$d$", ha="left")
-        dimension(ax, (-Z, -1.25), (0, -1.25), "$Z$")
-        fit(ax, -far - 0.5, 3.4, -1.5, 1.35)
+        dimension(ax, (-Z, -1.2), (0, -1.2), "$Z$")
+        dimension(ax, (-focus, -1.7), (0, -1.7), "$D$")
+        dimension(ax, (0, -1.2), (sensor, -1.2), "$s_D$")
+        dimension(ax, (0, -1.7), (float(image_distance(f, Z)), -1.7), "$s_Z$")
+        fit(ax, -far - 0.5, 3.4, -1.95, 1.35)
     return fig
 
 
@@ -117,7 +120,7 @@ def blur_against_distance(
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.6))
     ax.plot(Z, spot, color=ROLES["ray"], label="spot of a point")
     ax.axhline(c, color=ROLES["guide"], ls=(0, (6, 4)), lw=1.4)
-    write(ax, (Z[-1], c), f"c = {c:.2g} mm ", "guide", ha="right", va="bottom")
+    write(ax, (Z[-1], c), f"c = {c:.3g} mm ", "guide", ha="right", va="bottom")
     ax.axvspan(near, min(far, Z[-1]), color=ROLES["image"], alpha=0.2, lw=0)
     end = "∞" if np.isinf(far) else f"{far:.0f} mm"
     top = max(1.3 * float(spot[-1]), 1.3 * c)
@@ -163,15 +166,17 @@ def ranges(
         ax.barh(row, min(far, end) - near, left=near, height=0.5, color=ROLES["image"], alpha=0.45)
         ax.plot(distance / 1000, row, "o", color=BLACK, ms=7)
         label = "∞" if np.isinf(far) else f"{far:.2f}"
-        write(ax, (near * 0.92, row), f"{near:.2f}", ha="right")
-        write(ax, (min(far, end) * 1.09, row), label, ha="left")
+        write(ax, (near * 0.87, row), f"{near:.2f}", ha="right")
+        write(ax, (min(far, end) * 1.15, row), label, ha="left")
         _marks(ax, row, None if yours is None else yours[row], end)
     ax.axvline(H, color=ROLES["guide"], ls=(0, (6, 4)), lw=1.4)
     write(ax, (1.06 * H, -0.75), "hyperfocal distance", "guide", ha="left", fontsize=9)
     ax.set(xscale="log", xlim=(0.5, 320), ylim=(len(focus) - 0.4, -1.1), yticks=[])
     ax.set(xlabel="distance from the lens (m)")
     ax.spines["left"].set_visible(False)
-    ax.set_title("● focus    ▬ sharp", fontsize=10, fontweight="normal")
+    ax.plot([], [], "o", color=BLACK, ms=7, label="focus")
+    ax.barh([0], [0], color=ROLES["image"], alpha=0.45, label="sharp")
+    ax.legend(loc="lower left", bbox_to_anchor=(0, 0.97), ncols=2, fontsize=10)
     plain_numbers(ax)
     return fig
 

@@ -126,6 +126,8 @@ def image_construction(f: float = 2.0, Z: float = 5.0, height: float = 1.5) -> F
     dimension(ax, (-Z, below), (0, below), "$Z$")
     dimension(ax, (0, below), (s, below), "$s$")
     dimension(ax, (0, height + 0.55), (f, height + 0.55), "$f$")
+    dimension(ax, (f, height + 0.55), (s, height + 0.55), "$s - f$")
+    write(ax, (-0.36, 0.6 * height), "$h$", "object", fontsize=13)
     fit(ax, -Z - 1.0, s + 1.4, below - 0.3, height + 0.9)
     return fig
 
@@ -179,7 +181,7 @@ def image_against_object(
 
 @figure("An object of {width:g} mm, and its image of {sensor_width:g} mm with {pixels} pixels.")
 def pixel_on_object(width: float = 80.0, sensor_width: float = 4.0, pixels: int = 100) -> Figure:
-    """Show an object and its image on a sensor, both to scale, and the image enlarged.
+    """Show an object and its image on a sensor, both to scale, and what single pixels see of it.
 
     Parameters
     ----------
@@ -191,34 +193,42 @@ def pixel_on_object(width: float = 80.0, sensor_width: float = 4.0, pixels: int 
     Returns
     -------
     Figure
-        Object, sensor in true proportion, and a corner of the sensor under a magnifying glass.
+        Object, a corner of it under a magnifying glass, and the sensor in true proportion.
     """
     m, pitch = sensor_width / width, sensor_width / pixels
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.0))
     sketch(ax)
+    field = float(sampled(pitch, m))
+    sensor, glass = 2.8 * width, 1.35 * width
     _square(ax, 0, width, "object")
-    _square(ax, 1.35 * width, sensor_width, "image")
-    glass, shown = 2.0 * width, 5
-    _square(ax, glass, width, "image")
-    for edge in np.arange(1, shown) * width / shown:
-        stroke(ax, [(glass + edge, 0), (glass + edge, width)], "image", lw=1)
-        stroke(ax, [(glass, edge), (glass + width, edge)], "image", lw=1)
-    edge = 1.35 * width + sensor_width
-    for low, high in ((0, 0), (shown * pitch, width)):
-        stroke(ax, [(edge, low), (glass, high)], "guide", lw=1, ls=":")
+    _square(ax, sensor, sensor_width, "image")
+    _fields(ax, width, glass, field)
+    middle = sensor + sensor_width / 2
     write(ax, (width / 2, width / 2), f"object\n{width:g} mm")
-    write(ax, (1.37 * width, 0.24 * width), f"sensor\n{sensor_width:g} mm", "image")
-    write(ax, (1.37 * width, -0.12 * width), f"m = 1/{1 / m:g}")
-    write(
-        ax, (glass + width / 2, -0.12 * width), f"{shown} × {shown} pixels of {pitch:g} mm", "image"
-    )
-    write(ax, (width / 2, -0.12 * width), f"a pixel sees {float(sampled(pitch, m)):g} mm")
-    fit(ax, -0.1 * width, 3.1 * width, -0.22 * width, 1.06 * width)
+    write(ax, (glass + width / 2, -0.12 * width), f"a pixel sees {field:g} mm", "image")
+    write(ax, (middle, 0.24 * width), f"sensor\n{sensor_width:g} mm", "image")
+    write(ax, (middle, -0.12 * width), f"{pixels} pixels of {pitch:g} mm", "image")
+    write(ax, (width / 2, -0.12 * width), f"m = 1/{1 / m:g}")
+    fit(ax, -0.1 * width, 3.3 * width, -0.22 * width, 1.06 * width)
     return fig
 
 
-def _square(ax: Axes, left: float, side: float, role: str) -> None:
+def _fields(ax: Axes, width: float, left: float, field: float, shown: int = 5) -> None:
+    """Draw what some pixels see, as a corner of the object and enlarged to its width."""
+    _square(ax, width - shown * field, shown * field, "object", lw=1)
+    for low, high in ((0, 0), (shown * field, width)):
+        stroke(ax, [(width, low), (left, high)], "guide", lw=1, ls=":")
+    _square(ax, left, width, "object")
+    for edge in np.arange(1, shown) * width / shown:
+        stroke(ax, [(left + edge, 0), (left + edge, width)], "object", lw=1)
+        stroke(ax, [(left, edge), (left + width, edge)], "object", lw=1)
+    _square(ax, left, width / shown, "image", alpha=1)
+
+
+def _square(
+    ax: Axes, left: float, side: float, role: str, lw: float = 2, alpha: float = 0.15
+) -> None:
     """Draw a square that stands on the axis."""
     corners = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)]) * side + (left, 0)
-    ax.fill(*corners.T, color=ROLES[role], alpha=0.15, lw=0)
-    stroke(ax, corners, role)
+    ax.fill(*corners.T, color=ROLES[role], alpha=alpha, lw=0)
+    stroke(ax, corners, role, lw=lw)

@@ -158,7 +158,8 @@ def zoom(
         drawn = same_shape(None if yours is None else yours[row], np.zeros(3))
         if drawn is not None and np.isfinite(drawn).all():
             plane = d + drawn[2]
-            ax.plot(plane + drawn[0], 0, "*", color=ROLES["second"], ms=15, zorder=5)
+            if -20 < plane + drawn[0] < end + 8:
+                ax.plot(plane + drawn[0], 0, "*", color=ROLES["second"], ms=15, zorder=5)
             write(ax, (-27, -8), f"yours: {drawn[0]:.0f} mm", ha="right")
         fit(ax, -62, end + 8, -15, 15)
     return fig

@@ -52,7 +52,7 @@ def wing(
     for ax, Z in zip(axes.flat, distances, strict=True):
         blur = float(circle_of_confusion(1000 * Z, 1000 * focus, f, N)) / PITCH
         _show(ax, through_lens(Z, focus, f, N))
-        title = f"{Z:g} m: defocus {blur:.1f} px"
+        title = f"{Z:.1f} m: defocus {blur:.1f} px"
         ax.set_title(title, fontsize=11, fontweight="normal")
     fig.suptitle(f"f = {f:g} mm at f/{N:g}, focused on {focus:g} m", x=0.01, ha="left")
     return fig

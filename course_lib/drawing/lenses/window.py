@@ -173,12 +173,11 @@ def aperture_branches(
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.6))
     ax.plot(focus, need_near, color=ROLES["camera"], label="needed by the near end")
     ax.plot(focus, need_far, "--", color=ROLES["object"], label="needed by the far end")
-    ax.plot(best, N, "o", color=BLACK, ms=8, zorder=4)
-    top = 1.1 * float(np.max([need_near, need_far]))
-    paper = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
-    write(ax, (best, N + 0.13 * top), "best focus", bbox=paper)
+    ax.plot(best, N, "o", color=BLACK, ms=19, mfc="none", mew=1.5, zorder=4)
+    top = 1.15 * float(np.max([need_near, need_far]))
+    write(ax, (best, 1.45 * N), "best focus", ha="right")
     middle = (near + far) / 2
-    ax.axvline(middle, color=ROLES["guide"], lw=1.2, ls=(0, (6, 4)))
+    ax.axvline(middle, ymax=0.84, color=ROLES["guide"], lw=1.2, ls=(0, (6, 4)))
     write(ax, (middle, 0.03 * top), " half-way", "guide", ha="left", va="bottom")
     drawn = same_shape(yours, np.zeros(2))
     if drawn is not None and np.isfinite(drawn).all():
