@@ -130,7 +130,7 @@ def _rays(Z: float, lenses: list[tuple[float, float]], image: float) -> list[Lin
         heights.append(-HEIGHT * f1 / (Z - f1))  # it passes the front focal point
     paths = [_path(Z, y, lenses) for y in heights if abs(y) <= RIM]
     lines += [Line(_pixels(path), "ray", 2.0) for path in paths]
-    if np.isfinite(image) and image < 0:
+    if -FAR < image < 0:
         back = max(lenses[-1][0] + image, ENDS[0])
         for path in paths:
             (x, y), (right, high) = path[-2:]
@@ -210,7 +210,7 @@ def _labels(
         labels.append(Label("2" if near else "lens 2", _at(lenses[1][0], RIM, 0, -14), "camera"))
     place = lenses[-1][0] + image
     if not _shown(place):
-        labels += _outside(image, len(lenses))
+        labels += _outside(image, m, len(lenses))
     else:
         name = "image" if image > 0 else "virtual image"
         tip = float(np.clip(HEIGHT * m, -46, 46))
@@ -225,14 +225,15 @@ def _object_label(Z: float) -> Label:
     return Label(f"← object {Z / 1000:g} m away", (8, _at(0, HEIGHT)[1] - 12), "object")
 
 
-def _outside(image: float, count: int) -> list[Label]:
+def _outside(image: float, m: float, count: int) -> list[Label]:
     """Return where an image is that lies out of the picture; nothing where there is none."""
     if abs(image) > FAR:
         return []
     last = "the lens" if count == 1 else "lens 2"
     if image > 0:
         text = f"image {_text(image, 0)} mm behind {last} →"
-        return [Label(text, (SIZE[0] - 8, SIZE[1] - 10), "image", "end")]
+        free = 12 if m < 0 else SIZE[1] - 10  # away from the light
+        return [Label(text, (SIZE[0] - 8, free), "image", "end")]
     return [Label(f"← virtual image {_text(-image, 0)} mm before {last}", (8, 12), "image")]
 
 

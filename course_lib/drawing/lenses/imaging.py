@@ -120,16 +120,20 @@ def image_construction(f: float = 2.0, Z: float = 5.0, height: float = 1.5) -> F
         ax.plot(x, 0, "o", color=BLACK, ms=6, zorder=5)
         write(ax, (x + 0.08, 0.22), name, ha="left")
     _number_rays(ax, [(-Z / 2, height), (-Z / 3, height / 3), (s / 2, low)])
-    write(ax, (-Z - 0.55, height / 2), "$h$", "object", fontsize=13)
+    for place in ((-Z - 0.55, height / 2), (-0.36, 0.6 * height)):
+        write(ax, place, "$h$", "object", fontsize=13)
     write(ax, (s + 0.5, low / 2), "$h'$", "image", fontsize=13)
-    below = min(low, -1.1 * height) - 0.75
-    dimension(ax, (-Z, below), (0, below), "$Z$")
-    dimension(ax, (0, below), (s, below), "$s$")
-    dimension(ax, (0, height + 0.55), (f, height + 0.55), "$f$")
-    dimension(ax, (f, height + 0.55), (s, height + 0.55), "$s - f$")
-    write(ax, (-0.36, 0.6 * height), "$h$", "object", fontsize=13)
+    below, above = min(low, -1.1 * height) - 0.75, height + 0.55
+    _dimensions(ax, below, [(-Z, 0, "$Z$"), (0, s, "$s$")])
+    _dimensions(ax, above, [(0, f, "$f$"), (f, s, "$s - f$")])
     fit(ax, -Z - 1.0, s + 1.4, below - 0.3, height + 0.9)
     return fig
+
+
+def _dimensions(ax: Axes, y: float, ways: list[tuple[float, float, str]]) -> None:
+    """Draw dimension lines at a height, each from one place on the axis to another."""
+    for start, end, name in ways:
+        dimension(ax, (start, y), (end, y), name)
 
 
 def _number_rays(ax: Axes, places: list[tuple[float, float]]) -> None:
