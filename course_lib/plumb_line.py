@@ -156,14 +156,14 @@ def distortion_from_lines(lines: Sequence[ArrayLike], K: ArrayLike, terms: int =
 def _judged(k: Array, jacobian: Array, after: Array, before: Array, freedom: int) -> PlumbLines:
     """Return the result with its standard deviations, unless the lines do not determine it."""
     # By how many px the least visible change of the coefficients by 1 bends the lines.
-    weakest = np.linalg.svd(jacobian, compute_uv=False)[-1] / np.sqrt(len(after))
-    if weakest < 1e-3:
+    _, bends, directions = np.linalg.svd(jacobian, full_matrices=False)
+    if bends[-1] < 1e-3 * np.sqrt(len(after)):
         raise DegenerateConfigurationError(
             "the lines do not determine the coefficients: take lines that pass the centre of the "
             "picture at several distances and run through all of it, or ask for one term"
         )
     variance = (after @ after) / (freedom - len(k))
-    sigma = np.sqrt(variance * np.diag(np.linalg.inv(jacobian.T @ jacobian)))
+    sigma = np.sqrt(variance * ((directions / bends[:, None]) ** 2).sum(axis=0))
     rms_before, rms = (float(np.sqrt(np.mean(d**2))) for d in (before, after))
     return PlumbLines(k, sigma, rms_before, rms)
 
@@ -180,10 +180,13 @@ def _bent_distances(points: Array, ends: Array, K: Array, k: Array) -> Array:
     parts = [_across(part) for part in np.split(ideal, ends)]
     distances = np.concatenate([part[0] for part in parts])
     normals = np.concatenate([np.tile(part[1], (len(part[0]), 1)) for part in parts])
-    # d(ideal)/d(pixel) = J⁻¹ K⁻¹; a distance along n changes by its transpose times n.
-    to_pixel = K[:2, :2] @ distortion_jacobian(ideal, k)
-    growth = np.linalg.solve(np.swapaxes(to_pixel, -1, -2), normals[..., None])[..., 0]
-    return np.where(seen, distances / np.linalg.norm(growth, axis=-1), OUT_OF_REACH)
+    # d(ideal)/d(pixel) = (K J)⁻¹; a distance along n changes by its transpose times n.
+    (a, b), (c, d) = np.moveaxis(K[:2, :2] @ distortion_jacobian(ideal, k), (-2, -1), (0, 1))
+    x, y = normals.T
+    growth = np.hypot(d * x - c * y, a * y - b * x)  # times the determinant
+    near = seen & (growth > 0)
+    pixels = distances * np.abs(a * d - b * c) / np.where(near, growth, 1)
+    return np.where(near, pixels, OUT_OF_REACH)
 
 
 def _across(points: Array) -> tuple[Array, Array]:
