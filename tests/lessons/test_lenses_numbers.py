@@ -8,7 +8,8 @@ import pytest
 from course_lib import optics
 from course_lib.drawing.explorers.aperture_window import best_aperture
 from course_lib.drawing.explorers.depth_of_field import depth_of_field_frame
-from course_lib.drawing.explorers.ray_tracer import ONE, SPREADING, ray_tracer_frame
+from course_lib.drawing.explorers.ray_tracer import ray_tracer_frame
+from course_lib.widgets.lenses import two_lens_explorer
 
 TEXT = (Path(__file__).parents[2] / "lessons" / "03_lenses.md").read_text(encoding="utf-8")
 
@@ -35,15 +36,15 @@ def read(frame, label):
 # Published worked numbers
 
 
-def test_working_distance_of_the_lecture():
+def test_published_working_distance():
     assert optics.object_distance(35.7, 0.05) == about(749.7, 1)
-    says("$m = 0.05$ and $f = 35.7$ mm", "749.7 mm", "the lecture says 750")
+    says("$m = 0.05$ and $f = 35.7$ mm", "749.7 mm; printed is 750")
     others = [optics.object_distance(f, 0.05) for f in (8, 16, 75)]
     assert others == [about(168, 0), about(336, 0), about(1575, 0)]
     says("168, 336, 749.7 and 1575 mm")
 
 
-def test_magnification_of_the_lecture():
+def test_published_magnification():
     assert 4 / 80 == 1 / 20
     assert optics.pixel_on_object(4 / 100, 4 / 80) == about(0.8, 1)
     says("m = 4/80 = 1/20", "4 mm/100 = 0.04 mm", "0.04 \\cdot 20 = 0.8$ mm")
@@ -123,17 +124,26 @@ def test_image_of_the_lens():
 
 @pytest.mark.parametrize(("Z", "s", "m"), [(120, 120, -1), (65, 780, -12), (40, -120, 3)])
 def test_ray_tracer_shows_what_the_text_says(Z, s, m):
-    frame = ray_tracer_frame(Z, 60, ONE, 30, 30)
-    assert read(frame, "Image behind the last lens") == s
+    frame = ray_tracer_frame(Z, 60)
+    assert read(frame, "Image behind the lens") == s
     assert read(frame, "Magnification") == m
 
 
 def test_ray_tracer_at_the_focal_point_and_as_a_telescope():
-    parallel = ray_tracer_frame(60, 60, ONE, 30, 30)
-    assert read(parallel, "Image behind the last lens") == np.inf
+    parallel = ray_tracer_frame(60, 60)
+    assert read(parallel, "Image behind the lens") == np.inf
     assert "no image" in parallel.pictures[0].alt
-    assert read(ray_tracer_frame(150, 50, SPREADING, 30, 20), "Focal length of the whole") == np.inf
-    says("$d = 20$ mm, which is $f_1 + f_2$", "it is 780 mm away and 12 times as large")
+    start = two_lens_explorer()
+    assert read(start.frame_now(), "Focal length of the whole") == 150
+    assert read(start.frame_now(), "Image behind the last lens") == 60
+    start.set(d=20)
+    assert read(start.frame_now(), "Focal length of the whole") == np.inf
+    assert read(start.frame_now(), "Image behind the last lens") == np.inf
+    says(
+        "At first it meets 60 mm behind the second lens",
+        "$d = 20$ mm, which is $f_1 + f_2$",
+        "it is 780 mm away and 12 times as large",
+    )
 
 
 # Blur and depth
@@ -226,7 +236,7 @@ def test_best_apertures():
     k = optics.circle_of_confusion(NEAR, focus, F, 1)
     assert np.sqrt(k / (2.44 * GREEN)) == about(16.7, 1)
     assert best_aperture(F, 2.0, 0.25) == about(12.2, 1)
-    says("The best is f/16.4", "half of the depth the best is f/12.2")
+    says("The best is about f/16.4", "half of the depth the best is about f/12.2")
 
 
 @pytest.mark.parametrize(("f", "pixels"), [(85, 3.4), (50, 2.0)])
@@ -239,7 +249,32 @@ def test_what_no_setting_can_do(f, pixels):
     assert blur / PITCH == about(pixels, 1)
     assert blur / m == about(1.15, 2)
     assert f / best == about(5.2, 1)
-    says("2.0 px instead of 3.4 px", "blur over 1.15 mm", "it is 5.2 mm for both")
+    says("its best is 2.0 px", "3.4 px of blur", "blur over 1.15 mm", "it is 5.2 mm for both")
+
+
+def test_one_pixel_of_each_blur_makes_two():
+    N, D = optics.aperture_for_depth(50, NEAR, FAR, PITCH)
+    working = optics.working_f_number(N, optics.magnification(50, D))
+    assert about(9.5, 1) == N
+    assert optics.airy_diameter(GREEN, working) / PITCH == about(1, 1)
+    says("needs only f/9.5")
+
+
+def test_pinhole_instead_of_the_lens():
+    s = optics.image_distance(F, 2200)
+    hole = optics.best_pinhole_diameter(s, GREEN)
+    blur = 2 * hole / PITCH  # hole and Airy disk are equally wide
+    assert optics.airy_diameter(GREEN, s / hole) == pytest.approx(hole)
+    assert blur == about(51, 0)
+    assert blur > 2 * optics.circle_of_confusion(FAR, 2200, F, 1.4) / PITCH
+    says("a point is 51 pixels wide", "behind the best hole")
+
+
+def test_focus_on_the_stars_gives_half_of_the_range_away():
+    near, far = optics.depth_of_field(24, 8, np.inf, 0.006)
+    assert near == pytest.approx(24**2 / (8 * 0.006))
+    assert far == np.inf
+    says("the near limit moves out to $f^2/(N c)$")
 
 
 # Lenses in a row
