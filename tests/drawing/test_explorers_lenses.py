@@ -231,6 +231,14 @@ def test_the_image_of_a_point_is_as_wide_as_its_blur():
     assert 0.42 * airy < width(32) < airy
 
 
+def test_words_on_the_dark_picture_lie_on_light_paper():
+    picture = WINDOW(16, 85, 2, 0.5, 13.5).pictures[1]
+    for label in picture.labels:
+        u, v = (round(place) for place in label.at)
+        reach = slice(u - 100, u) if label.anchor == "end" else slice(u, u + 70)
+        assert (picture.image[v - 5 : v + 5, reach] > 200).all(), label.text
+
+
 def test_curves_run_through_the_marked_point():
     picture = WINDOW(8, 85, 2, 0.5, 13.5).pictures[0]
     total, dot = np.asarray(picture.lines[5].points), np.asarray(picture.lines[7].points)

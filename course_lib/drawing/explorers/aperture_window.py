@@ -34,6 +34,7 @@ SIDE = 264  # px: width and height of the two other pictures
 CELL = 22  # px of the drawing for a pixel of the sensor: 12 of them in the picture
 CHART = 88  # px of the sensor for the letter chart, each drawn 3 px wide
 FINE = 3  # subpixels of the chart, both ways
+NOTES = (np.s_[4:44, 4:92], np.s_[-24:-4, -128:-4])  # light paper under the words
 FINEST = 4.0  # periods a pixel: the finest detail of the point's image that is drawn
 
 
@@ -147,7 +148,9 @@ def _curves(N: float, f: float, near: float, depth: float, mm: float) -> Picture
         *_named(numbers[::-1], airy[::-1], "diffraction", "image", "end"),
         *([Label("best", AXES.at(best, BLURS[1], 4, 8), "guide")] if _shown(best) else []),
     )
-    words = f"The sum of both blurs is smallest at f/{best:.1f}; at f/{N:g} it is {here:.1f} px."
+    words = (
+        f"The sum of both blurs is smallest at about f/{best:.1f}; at f/{N:g} it is {here:.1f} px."
+    )
     return Picture("Blur against the f-number", words, SIZE, lines=lines, labels=labels)
 
 
@@ -169,6 +172,8 @@ def _named(x: Floats, y: Floats, text: str, role: str, anchor: str) -> tuple[Lab
 def _point(blur: Blur, mm: float) -> Picture:
     """Return the image of one point, as it is before the pixels, with the pixels drawn on it."""
     image = _spot(blur, mm)
+    for paper in NOTES:  # words on the dark picture could not be read
+        image[paper] = 235
     middle = np.array([SIDE / 2 - 0.5] * 2)
     radii = [CELL * size / mm / 2 for size in (blur.defocus, blur.airy)]
     circles = [
