@@ -59,13 +59,13 @@ def naive(explorer: Explorer, name: str) -> Any:
         The slider that moves.
     """
     import matplotlib.pyplot as plt
-    from ipywidgets import FloatSlider, VBox, interactive
+    from ipywidgets import IntSlider, VBox, interactive
 
     state, frame = explorer.state, explorer._frame
-    control = explorer._controls[name]
+    positions = explorer._controls[name].positions
 
-    def show(value: float) -> None:
-        pictures = frame(**{**state, name: control.nearest(value)}).pictures
+    def show(place: int) -> None:
+        pictures = frame(**{**state, name: positions[place]}).pictures
         widths = [p.size[0] for p in pictures]
         # As many pixels as the explorer has, and a line for the titles.
         size = sum(widths) / 100, max(p.size[1] for p in pictures) / 100 + 0.3
@@ -76,9 +76,8 @@ def naive(explorer: Explorer, name: str) -> Any:
             _plot(axes, picture)
         plt.show()
 
-    ends = {"min": control.start, "max": control.stop}
-    slider = FloatSlider(state[name], **ends, step=(control.stop - control.start) / 100)
-    box = VBox([interactive(show, value=slider)])
+    slider = IntSlider(positions.index(state[name]), 0, len(positions) - 1)
+    box = VBox([interactive(show, place=slider)])
     box.add_class(f"bench-naive-{name}")
     return box
 
