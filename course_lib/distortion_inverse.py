@@ -14,12 +14,14 @@ from numpy.typing import ArrayLike
 
 from course_lib.checks import Array
 from course_lib.distortion_model import (
+    SIDEWAYS,
     check_coefficients,
     check_normalised,
     columns,
     distorted_columns_and_slopes,
     radial_factor,
     radial_factor_and_slope,
+    sideways_columns,
 )
 from course_lib.monotone import invert_increasing, smallest_positive_root
 
@@ -27,10 +29,10 @@ from course_lib.monotone import invert_increasing, smallest_positive_root
 CHUNK = 8192
 #: Entries of the table of ratios.
 ENTRIES = 4096
-#: A step below this, by the distance, was Newton's last: the next would be its square.
-SETTLED = 1e-8
+#: A step below this, by the distance, was Newton's last: the next would be about its square.
+SETTLED = 1e-7
 
-Radial = Callable[[Array], Array]
+Guess = Callable[[Array, Array], tuple[Array, Array]]
 
 
 def valid_radius(coefficients: ArrayLike) -> float:
@@ -115,25 +117,27 @@ def undistort_points(points: ArrayLike, coefficients: ArrayLike) -> Array:
     undistorted = np.empty_like(distorted)
     if distorted.size:
         limit = valid_radius(k)
-        guess = radial_guess(k, limit, float(np.hypot(*distorted.T).max()))
+        guess = radial_guess(k, limit, float(np.sqrt((distorted**2).sum(axis=1).max())))
         for start in range(0, len(distorted), CHUNK):
             part = slice(start, start + CHUNK)
             undistorted[part] = _undistort_part(distorted[part], k, limit, guess)
     return undistorted.reshape(points.shape)
 
 
-def _undistort_part(distorted: Array, k: Array, limit: float, guess: Radial) -> Array:
+def _undistort_part(distorted: Array, k: Array, limit: float, guess: Guess) -> Array:
     """Return ideal points: a few Newton steps for all, then care for those that need it."""
     x_d, y_d = columns(distorted)
-    ratio = guess(x_d * x_d + y_d * y_d)
-    x, y = x_d * ratio, y_d * ratio
+    x, y = guess(x_d, y_d)
     with np.errstate(all="ignore"):
+        if k[SIDEWAYS].any():  # again, without what those terms have added
+            aside_x, aside_y = sideways_columns(x, y, k)
+            x, y = guess(x_d - aside_x, y_d - aside_y)
         for _ in range(4):
-            step_x, step_y, determinant = _newton_step(x, y, x_d, y_d, k)[:3]
+            step_x, step_y, determinant, *_ = _newton_step(x, y, x_d, y_d, k)
             x -= step_x
             y -= step_y
             moved = step_x * step_x + step_y * step_y
-            if moved.max() <= SETTLED**2 * 1e-2:
+            if moved.max() <= SETTLED**2:
                 break
         near = x * x + y * y
         # NaN compares as False.
@@ -146,21 +150,21 @@ def _undistort_part(distorted: Array, k: Array, limit: float, guess: Radial) -> 
 
 
 def _newton_step(x: Array, y: Array, x_d: Array, y_d: Array, k: Array) -> tuple[Array, ...]:
-    """Return by how much x and y are too large, the determinant there, and the errors squared."""
+    """Return by how much x and y are too large, the determinant there, and the excess of both."""
     found_x, found_y, xx, xy, yx, yy = distorted_columns_and_slopes(x, y, k)
     found_x -= x_d
     found_y -= y_d
     determinant = xx * yy - xy * yx
     step_x = (yy * found_x - xy * found_y) / determinant
     step_y = (xx * found_y - yx * found_x) / determinant
-    return step_x, step_y, determinant, found_x * found_x + found_y * found_y
+    return step_x, step_y, determinant, found_x, found_y
 
 
 def _undistort_carefully(distorted: Array, k: Array, limit: float) -> Array:
     """Return ideal points by Newton's method from several starts; NaN where there is none."""
     far = np.hypot(*distorted.T)
     r, end = _invert_radial(k, limit, far)
-    if not k[[2, 3, 8, 9, 10, 11]].any():
+    if not k[SIDEWAYS].any():
         return np.asarray(distorted * (r / far)[:, None])
     # Tangential terms may still bring a point within reach.
     start = distorted * (np.where(np.isnan(r), end, r) / far)[:, None]
@@ -182,16 +186,17 @@ def _descend(start: Array, distorted: Array, k: Array) -> Array:
         state = _newton_step(x, y, x_d, y_d, k)
         share = np.ones_like(x)
         for _ in range(100):
-            step_x, step_y, _, error = state
-            if not ((error > (1e-15 * far) ** 2) & (share > 1e-12)).any():
+            step_x, step_y, _, *excess = state
+            error = np.hypot(*excess)
+            if not ((error > 1e-15 * far) & (share > 1e-12)).any():
                 break
             tried = x - share * step_x, y - share * step_y
             found = _newton_step(*tried, x_d, y_d, k)
-            better = (found[3] < error) & (found[2] > 0)
+            better = (np.hypot(*found[3:]) < error) & (found[2] > 0)
             x, y = np.where(better, tried[0], x), np.where(better, tried[1], y)
             state = tuple(np.where(better, *pair) for pair in zip(found, state, strict=True))
             share = np.where(better, np.minimum(1, 2 * share), share / 2)
-        good = (state[3] <= (1e-13 * (1 + far)) ** 2) & (state[2] > 0)
+        good = (np.hypot(*state[3:]) <= 1e-13 * (1 + far)) & (state[2] > 0)
     return np.where(good[:, None], np.stack([x, y], axis=-1), np.nan)
 
 
@@ -218,10 +223,11 @@ def _end(k: Array, limit: float, farthest: float) -> float:
     return min(end, limit * (1 - 1e-7))
 
 
-def radial_guess(k: Array, limit: float, farthest: float) -> Radial:
-    """Return a function that gives the ratio ideal to distorted distance from the latter's square.
+def radial_guess(k: Array, limit: float, farthest: float) -> Guess:
+    """Return a function that undoes the radial terms, to eight digits or so.
 
-    It reads a table with equal steps of the square, so that looking up is one multiplication.
+    It reads the ratio of ideal to distorted distance from a table with equal steps of the latter's
+    square, so that looking up is one multiplication.
     """
     r = np.linspace(0, _end(k, limit, farthest), ENTRIES)
     r_d = r * radial_factor(r * r, k)
@@ -231,10 +237,12 @@ def radial_guess(k: Array, limit: float, farthest: float) -> Radial:
     ratio[1:] = np.interp(np.sqrt(square[1:]), r_d, r) / np.sqrt(square[1:])
     rise = np.append(np.diff(ratio), 0)
 
-    def guess(squared: Array) -> Array:
-        place = np.minimum(squared * ((ENTRIES - 1) / top**2), ENTRIES - 1)
+    def guess(x: Array, y: Array) -> tuple[Array, Array]:
+        place = (x * x + y * y) * ((ENTRIES - 1) / top**2)
+        np.minimum(place, ENTRIES - 1, out=place)
         entry = place.astype(np.intp)
         place -= entry
-        return np.asarray(ratio[entry] + place * rise[entry])
+        looked_up = ratio[entry] + place * rise[entry]
+        return x * looked_up, y * looked_up
 
     return guess

@@ -23,6 +23,8 @@ COUNTS = (1, 2, 4, 5, 8, 12)
 #: A tangent beyond this is no field of view; it was a pixel or a length.
 LARGEST_TANGENT = 1e6
 LARGEST_COEFFICIENT = 1e30
+#: Places of the tangential and prism terms, which do not act along the line from the centre.
+SIDEWAYS = [2, 3, 8, 9, 10, 11]
 
 
 def distort(points: ArrayLike, coefficients: ArrayLike) -> Array:
@@ -195,17 +197,24 @@ def radial_factor_and_slope(r2: Array, k: Array) -> tuple[Array, Array]:
     return factor, slope
 
 
-def distorted_columns(x: Array, y: Array, k: Array) -> tuple[Array, Array]:
-    """Return x_d and y_d, from twelve checked coefficients."""
+def sideways_columns(x: Array, y: Array, k: Array) -> tuple[Array, Array]:
+    """Return what the tangential and prism terms add to x and y."""
     _, _, p1, p2, *_, s1, s2, s3, s4 = k
     r2 = x * x + y * y
+    prism = r2 if k[8:].any() else np.float64(0)  # without a prism, s1 … s4 are zero
+    g = 2 * (p1 * y + p2 * x)  # 2 p1 x y + 2 p2 x² = x (2 p1 y + 2 p2 x), alike for y
+    return x * g + r2 * (p2 + s1 + s2 * prism), y * g + r2 * (p1 + s3 + s4 * prism)
+
+
+def distorted_columns(x: Array, y: Array, k: Array) -> tuple[Array, Array]:
+    """Return x_d and y_d, from twelve checked coefficients."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        g = radial_factor(r2, k)
-        g += 2 * (p1 * y + p2 * x)  # 2 p1 x y + 2 p2 x² = x (2 p1 y + 2 p2 x), alike for y
+        g = radial_factor(x * x + y * y, k)
         x_d, y_d = x * g, y * g
-    if k[[2, 3, 8, 9, 10, 11]].any():
-        x_d += r2 * (p2 + s1 + s2 * r2)
-        y_d += r2 * (p1 + s3 + s4 * r2)
+    if k[SIDEWAYS].any():
+        aside_x, aside_y = sideways_columns(x, y, k)
+        x_d += aside_x
+        y_d += aside_y
     bad = ~np.isfinite(x_d + y_d)
     return np.where(bad, np.nan, x_d), np.where(bad, np.nan, y_d)
 
