@@ -148,9 +148,7 @@ def _curves(N: float, f: float, near: float, depth: float, mm: float) -> Picture
         *_named(numbers[::-1], airy[::-1], "diffraction", "image", "end"),
         *([Label("best", AXES.at(best, BLURS[1], 4, 8), "guide")] if _shown(best) else []),
     )
-    words = (
-        f"The sum of both blurs is smallest at about f/{best:.1f}; at f/{N:g} it is {here:.1f} px."
-    )
+    words = f"The sum of both blurs is smallest at f/{best:.1f}; at f/{N:g} it is {here:.1f} px."
     return Picture("Blur against the f-number", words, SIZE, lines=lines, labels=labels)
 
 
@@ -172,8 +170,6 @@ def _named(x: Floats, y: Floats, text: str, role: str, anchor: str) -> tuple[Lab
 def _point(blur: Blur, mm: float) -> Picture:
     """Return the image of one point, as it is before the pixels, with the pixels drawn on it."""
     image = _spot(blur, mm)
-    for paper in NOTES:  # words on the dark picture could not be read
-        image[paper] = 235
     middle = np.array([SIDE / 2 - 0.5] * 2)
     radii = [CELL * size / mm / 2 for size in (blur.defocus, blur.airy)]
     circles = [
@@ -203,6 +199,8 @@ def _spot(blur: Blur, mm: float) -> NDArray[np.uint8]:
     light = np.clip(profile / profile.max(), 0, 1) ** (1 / 2.2)
     grey = np.interp(place, r, light)
     grey = np.maximum(grey, _pixel_grid() * (0.25 + 0.75 * grey))
+    for paper in NOTES:  # words on the dark picture could not be read
+        grey[paper] = 0.92
     return np.repeat(np.rint(255 * grey).astype(np.uint8)[..., None], 3, axis=2)
 
 
