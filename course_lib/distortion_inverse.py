@@ -93,7 +93,7 @@ def undistort_points(points: ArrayLike, coefficients: ArrayLike) -> Array:
     Returns
     -------
     ndarray, shape (N, 2) or (2,)
-        Ideal points in normalised coordinates, to rounding. A row of NaN for a point that is no
+        Ideal points in normalised coordinates, to 1e-12 or better. A row of NaN for a point that is no
         image of anything within the `valid_radius`.
 
     Raises
