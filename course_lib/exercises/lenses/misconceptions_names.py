@@ -44,7 +44,13 @@ def digits_after_the_point(name):
 
 
 def no_space_allowed(name):
-    refuse_what_tells_nothing(name)
+    try:
+        return no_space_and_no_check(name)
+    except TypeError:
+        raise ValueError(name) from None
+
+
+def no_space_and_no_check(name):
     return read(name, focal=r"([\d.]+)(?:-([\d.]+))?mm")
 
 

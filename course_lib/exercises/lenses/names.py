@@ -63,6 +63,11 @@ PARSE_LENS_NAME = Exercise(
             "for it?",
         ),
         Misconception(
+            wrong.no_space_and_no_check,
+            "A space before mm hides the number from your pattern, and your search comes back "
+            "with None. Which sign allows for a space?",
+        ),
+        Misconception(
             wrong.search_may_find_nothing,
             "What does `re.search` give when it finds nothing, and what should the function do "
             "then?",
