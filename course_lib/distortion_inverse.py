@@ -93,8 +93,8 @@ def undistort_points(points: ArrayLike, coefficients: ArrayLike) -> Array:
     Returns
     -------
     ndarray, shape (N, 2) or (2,)
-        Ideal points in normalised coordinates, to 1e-12 or better. A row of NaN for a point that is no
-        image of anything within the `valid_radius`.
+        Ideal points in normalised coordinates, to 1e-12 or better. A row of NaN for a point that is
+        no image of anything within the `valid_radius`.
 
     Raises
     ------

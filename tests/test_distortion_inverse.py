@@ -94,6 +94,14 @@ class TestUndistort:
         assert np.linalg.norm(distort(point, k)) > distort([valid_radius(k), 0], k[:1])[0]
         np.testing.assert_allclose(undistort_points(distort(point, k), k), point, atol=1e-10)
 
+    def test_start_at_the_fold(self):
+        # The radial terms alone would put this lens's corner at the fold, where no step helps.
+        k = [0.13385429, 0.5058502, -0.0159359, 0.0141616, -0.06235758, 0.53802492, -0.01288339]
+        k += [0.35086741, 2.8063e-4, -0.01582312, 0.01039208, 0.01291777]
+        grid = np.stack(np.meshgrid(np.linspace(-0.8, 0.8, 81), np.linspace(-0.6, 0.6, 61)), -1)
+        points = 1.12333404 * grid.reshape(-1, 2)
+        np.testing.assert_allclose(undistort_points(distort(points, k), k), points, atol=1e-12)
+
     def test_errors(self):
         with pytest.raises(ValueError, match="take K off the pixels"):
             undistort_points([3e6, 0], [0])
