@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from typing import Any
 
-#: Right patterns for the focal length and for the f-number; group 2 is missing for a single one.
+#: Patterns for the focal length (right, and without the space before mm) and for the f-number;
+#: group 2 is missing for a single one.
 FOCAL = r"([\d.]+)(?:-([\d.]+))?\s*mm"
+UNSPACED = r"([\d.]+)(?:-([\d.]+))?mm"
 STOPS = r"(?:[fF]/?|1:)([\d.]+)(?:-([\d.]+))?"
 
 
@@ -45,13 +47,13 @@ def digits_after_the_point(name):
 
 def no_space_allowed(name):
     try:
-        return no_space_and_no_check(name)
+        return read(name, focal=UNSPACED)
     except TypeError:
         raise ValueError(name) from None
 
 
 def no_space_and_no_check(name):
-    return read(name, focal=r"([\d.]+)(?:-([\d.]+))?mm")
+    return read(name, focal=UNSPACED)
 
 
 def one_way_of_writing(name):
