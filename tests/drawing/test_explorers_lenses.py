@@ -186,6 +186,7 @@ def test_light_of_a_far_object_comes_in_parallel_and_leaves_a_telescope_so():
         assert v2 == pytest.approx(v3, abs=0.1)
     assert frame.readouts[0].value == "∞"
     assert value(frame, "Focal length of the whole") == np.inf
+    assert not [x for x in frame.pictures[0].lines if x.dashed and x.role == "ray"]
     assert "← object 1000 m away" in texts(frame.pictures[0])
     assert value(RAYS(1e6, 50, rays.SPREADING, 30, 30), "Focal length of the whole") == 150
 
