@@ -20,6 +20,22 @@ ADVICE = (
     ("TypeError", "'list'", "A list cannot be computed with. Make it an array: `np.array(…)`."),
     (
         "TypeError",
+        "multiply sequence",
+        "A tuple or a list cannot be computed with. Make it an array: `np.array(…)`.",
+    ),
+    (
+        "TypeError",
+        "unpack non-iterable",
+        "One number cannot be taken apart. A loop over a single point of shape (3,) gives its "
+        "numbers, one by one.",
+    ),
+    (
+        "TypeError",
+        "hypot() takes",
+        "`np.hypot` takes the two sides one by one: `np.hypot(a, b)`, or `np.hypot(*sides)`.",
+    ),
+    (
+        "TypeError",
         "'NoneType'",
         "Something here is None. Has a search found nothing, or does a function lack its `return`?",
     ),

@@ -57,6 +57,10 @@ def _numeric(got: Any, expected: NDArray[Any]) -> NDArray[Any] | Mismatch:
     )
     if isinstance(got, str | dict | bool):
         return wrong_type
+    if not expected.ndim and _has_decimal_comma(got):
+        whole, part = got
+        message = f"{wrong_type.message} Python writes decimals with a point: `{whole}.{part}`."
+        return Mismatch("type", message)
     try:
         array = np.asarray(got)
     except ValueError:  # rows of different length
@@ -67,6 +71,11 @@ def _numeric(got: Any, expected: NDArray[Any]) -> NDArray[Any] | Mismatch:
         hint = " Points are rows here: is it transposed?" if _is_transposed(array, expected) else ""
         return Mismatch("shape", wrong_type.message + hint)
     return array.astype(float)
+
+
+def _has_decimal_comma(got: Any) -> bool:
+    """Whether an answer is what Python makes of a number like 12,5."""
+    return isinstance(got, tuple) and len(got) == 2 and all(type(part) is int for part in got)
 
 
 def _is_transposed(array: NDArray[Any], expected: NDArray[Any]) -> bool:
@@ -134,6 +143,21 @@ class Close:
             if miss := self(got, expected):
                 return Mismatch(miss.kind, f"{name}: {miss.message}")
         return None
+
+
+@dataclass(frozen=True)
+class BothBeyond:
+    """Single numbers that are both far too large, of either sign: for recognising a mistake."""
+
+    limit: float
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return why one of both is not beyond the limit, or None."""
+        array = _numeric(got, np.asarray(expected, dtype=float))
+        if isinstance(array, Mismatch):
+            return array
+        beyond = (np.abs([array, expected]) > self.limit).all()
+        return None if beyond else Mismatch("values", "The number is not that large.")
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+import numpy as np
+
 from course_lib.judging.advice import advice
 from course_lib.judging.answering import Answer
 from course_lib.judging.exercise import Case, Exercise, Raises
@@ -103,7 +105,7 @@ def judge(
         parts,
         hints=tuple(misconception.hint for misconception in found),
         misconceptions=tuple(misconception.name for misconception in found),
-        notes=_notes(answers, reveal),
+        notes=_notes(answers, judged, reveal),
         printed=next((a.printed for a in answers if a.printed), "") if reveal else "",
     )
 
@@ -187,7 +189,7 @@ def _raised(given: Answer, reveal: bool) -> str:
     return f"The function stopped with {given.error}{where}{why}. {words}".rstrip()
 
 
-def _notes(answers: Sequence[Answer], reveal: bool) -> tuple[str, ...]:
+def _notes(answers: Sequence[Answer], judged: list[Feedback], reveal: bool) -> tuple[str, ...]:
     notes = []
     changed = sorted({name for given in answers for name in given.changed_inputs})
     if changed:
@@ -195,6 +197,26 @@ def _notes(answers: Sequence[Answer], reveal: bool) -> tuple[str, ...]:
         notes.append(f"The function changes its input {names}; work on a copy, or on a new array.")
     warned = list(dict.fromkeys(text for given in answers for text in given.warned))
     if warned and reveal:
-        what = "; ".join(warned[:3])
-        notes.append(f"Python warned: {what}. This is harmless where the answer is right.")
+        meaning = _meaning_of_warnings(answers, judged)
+        notes.append(f"Python warned: {'; '.join(warned[:3])}. {meaning}")
     return tuple(notes)
+
+
+def _meaning_of_warnings(answers: Sequence[Answer], judged: list[Feedback]) -> str:
+    """Say that warnings are harmless where the answer is right; elsewhere point to the rows."""
+    pairs = zip(answers, judged, strict=True)
+    wrong = [given for given, feedback in pairs if given.warned and feedback.kind != "right"]
+    if not wrong:
+        return "This is harmless: the answers are right there."
+    rows = next((rows for given in wrong if (rows := _infinite_rows(given.value))), None)
+    if rows is None:
+        return "An answer with this warning is wrong: which line does the warning come from?"
+    which = f"row {rows[0]}" if len(rows) == 1 else "rows " + " and ".join(map(str, rows[:3]))
+    return f"Look at {which} of the answer (the first is row 0). What is divided by zero there?"
+
+
+def _infinite_rows(value: Any) -> list[int]:
+    """Return which rows of an answer hold an infinite number: the mark of a division by zero."""
+    if not isinstance(value, np.ndarray) or value.ndim != 2 or value.dtype.kind != "f":
+        return []
+    return [int(row) for row in np.flatnonzero(np.isinf(value).any(axis=1))]

@@ -30,6 +30,19 @@ def test_search_that_found_nothing():
         assert "Has a search found nothing" in said(use)
 
 
+def test_size_times_a_number_wants_an_array():
+    assert "np.array" in said(lambda f, size: f * size, 24.0, (36, 24))
+    assert "np.array" in said(lambda f, size: size * f, 24.0, [36, 24])
+
+
+def test_loop_over_a_single_point():
+    assert "(3,)" in said(lambda points: [X / Z for X, _, Z in points], np.array([1.0, 2, 3]))
+
+
+def test_hypot_takes_two_numbers():
+    assert "np.hypot(a, b)" in said(np.hypot, (36, 24))
+
+
 def test_other_advice_is_not_hidden():
     assert "np.array" in said(lambda points: points / 2, [1, 2])
     assert "divisor is zero" in said(lambda: 1.0 / 0)

@@ -111,3 +111,9 @@ def test_text_of_a_number_is_not_the_number():
     assert Close()(50.0, "50") is not None
     assert Close()("50", "50") is None
     assert Close()({"f": (50.0, 50.0)}, {"f": ("50", "50")}) is not None
+
+
+def test_decimal_comma_is_named():
+    miss = Close()((1023, 5), 1023.5)
+    assert "`1023.5`" in miss.message
+    assert "point" not in Close()((1.5, 2.5), 1023.5).message

@@ -188,6 +188,45 @@ def test_warnings_are_a_note_and_cost_nothing():
     assert verdict(warns, reveal=False).notes == ()
 
 
+def rows(values):
+    return 1 / np.where(values == 0, np.nan, values)
+
+
+def with_a_zero(rng):
+    return {"values": np.append(rng.uniform(1, 9, (3, 1)), [[0.0]], axis=0)}
+
+
+ROWS = Exercise("demo", rows, parts={"rows": with_a_zero}, misconceptions=[])
+
+
+def notes_on(function):
+    cases = pose(ROWS, 3)
+    return judge(ROWS, cases, answer(ROWS, function, cases)).notes
+
+
+def test_warning_of_a_wrong_answer_points_to_the_row_and_is_not_called_harmless():
+    (note,) = notes_on(lambda values: 1 / values)
+    assert "divide by zero" in note
+    assert "row 3 of the answer" in note
+    assert "harmless" not in note
+    (note,) = notes_on(lambda values: np.nan_to_num(1 / values, posinf=5))
+    assert "is wrong" in note
+    assert "harmless" not in note
+    (note,) = notes_on(lambda values: np.vstack([1 / values[:2], 1 / (0 * values[2:])]))
+    assert "rows 2 and 3" in note
+
+
+def test_warning_beside_a_wrong_answer_elsewhere_is_harmless():
+    def wrong_for_negative(values, factor):
+        if factor < 0:
+            return values
+        return values * factor + 0 * (values / np.zeros(4) > 0)
+
+    found = verdict(wrong_for_negative)
+    assert 0 < found.points < 4
+    assert "harmless" in found.notes[0]
+
+
 def test_nearly_right_says_so():
     found = verdict(lambda values, factor: values * factor * 1.001)
     assert found.points == 0
