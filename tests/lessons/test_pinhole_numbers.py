@@ -9,7 +9,7 @@ from skimage.data import stereo_motorcycle
 
 from course_lib import camera, optics
 from course_lib.drawing.explorers.dolly import dolly_zoom_frame
-from course_lib.exercises.pinhole.sensor import data_sheet
+from course_lib.exercises.pinhole.data_sheet import data_sheet
 
 TEXT = (Path(__file__).parents[2] / "lessons" / "01_pinhole.md").read_text(encoding="utf-8")
 

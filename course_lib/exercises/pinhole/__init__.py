@@ -1,5 +1,6 @@
 """Chapter 01: the exercises on the pinhole camera."""
 
+from course_lib.exercises.pinhole.data_sheet import DATA_SHEET
 from course_lib.exercises.pinhole.perspective import (
     DOLLY_ZOOM,
     EXPLAIN_FLAT_FACES,
@@ -8,7 +9,6 @@ from course_lib.exercises.pinhole.perspective import (
 )
 from course_lib.exercises.pinhole.sensor import (
     BEST_PINHOLE_DIAMETER,
-    DATA_SHEET,
     EQUIVALENT_FOCAL_LENGTH,
     FIELD_OF_VIEW,
     FIRST_GUESS_INTRINSICS,

@@ -71,6 +71,16 @@ def angles_added(f, sensor_size):
     return np.array([a, b, a + b])
 
 
+def angles_squared_and_added(f, sensor_size):
+    a, b = 2 * np.arctan(np.array(sensor_size) / (2 * f))
+    return np.array([a, b, np.hypot(a, b)])
+
+
+def sides_added(f, sensor_size):
+    width, height = sensor_size
+    return 2 * np.arctan(np.array([width, height, width + height]) / (2 * f))
+
+
 # --- equivalent_focal_length ------------------------------------------------------------------
 
 
@@ -92,6 +102,14 @@ def crop_by_area(f, sensor_size):
 
 def only_the_crop_factor(f, sensor_size):
     return np.hypot(36, 24) / np.hypot(*sensor_size)
+
+
+def crop_by_root_of_area(f, sensor_size):
+    return f * np.sqrt(36 * 24 / (sensor_size[0] * sensor_size[1]))
+
+
+def always_twice(f, sensor_size):
+    return f * 2
 
 
 # --- first_guess_intrinsics -------------------------------------------------------------------
@@ -130,86 +148,16 @@ def fx_for_both_axes(f, sensor_size, image_size):
     return np.array([[fx, 0, cx], [0, fx, cy], [0, 0, 1]])
 
 
-# --- project_pinhole --------------------------------------------------------------------------
+def middle_rounded_down(f, sensor_size, image_size):
+    fx, fy = f * np.array(image_size) / np.array(sensor_size)
+    cx, cy = (np.array(image_size) - 1) // 2
+    return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]])
 
 
-def divides_by_focal_length(points, f, c):
-    return np.where(points[..., 2:] > 0, points[..., :2] / f, np.nan) + c
-
-
-def exchanges_f_and_Z(points, f, c):
-    Z = np.where(points[..., 2:] > 0, points[..., 2:], np.nan)
-    return Z * points[..., :2] / f + c
-
-
-def principal_point_forgotten(points, f, c):
-    Z = np.where(points[..., 2:] > 0, points[..., 2:], np.nan)
-    return f * points[..., :2] / Z
-
-
-def row_then_column(points, f, c):
-    Z = np.where(points[..., 2:] > 0, points[..., 2:], np.nan)
-    return (f * points[..., :2] / Z + c)[..., ::-1]
-
-
-def image_plane_behind(points, f, c):
-    Z = np.where(points[..., 2:] > 0, points[..., 2:], np.nan)
-    return -f * points[..., :2] / Z + c
-
-
-def distance_for_depth(points, f, c):
-    distance = np.linalg.norm(points, axis=-1, keepdims=True)
-    return f * points[..., :2] / np.where(points[..., 2:] > 0, distance, np.nan) + c
-
-
-def mirrors_what_is_behind(points, f, c):
-    return f * points[..., :2] / points[..., 2:] + c
-
-
-# --- vanishing_point --------------------------------------------------------------------------
-
-
-def forward_only(direction, f, c):
-    Z = np.where(direction[..., 2:] > 0, direction[..., 2:], np.nan)
-    return f * direction[..., :2] / Z + c
-
-
-def centre_forgotten(direction, f, c):
-    Z = np.where(direction[..., 2:] != 0, direction[..., 2:], np.nan)
-    return f * direction[..., :2] / Z
-
-
-def unit_direction(direction, f, c):
-    length = np.linalg.norm(direction, axis=-1, keepdims=True)
-    return f * direction[..., :2] / length + c
-
-
-def tangent_without_focal_length(direction, f, c):
-    Z = np.where(direction[..., 2:] != 0, direction[..., 2:], np.nan)
-    return direction[..., :2] / Z + c
-
-
-def at_infinity(direction, f, c):
-    return f * direction[..., :2] / direction[..., 2:] + c
-
-
-# --- dolly_zoom -------------------------------------------------------------------------------
-
-
-def inverse_ratio(f, Z, Z_new):
-    return f * Z / Z_new
-
-
-def adds_the_way(f, Z, Z_new):
-    return f + (Z_new - Z)
-
-
-def ratio_squared(f, Z, Z_new):
-    return f * (Z_new / Z) ** 2
-
-
-def only_the_factor(f, Z, Z_new):
-    return Z_new / Z
+def last_one_forgotten(f, sensor_size, image_size):
+    fx, fy = f * np.array(image_size) / np.array(sensor_size)
+    cx, cy = (np.array(image_size) - 1) / 2
+    return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 0]])
 
 
 # --- best_pinhole_diameter --------------------------------------------------------------------
@@ -235,50 +183,13 @@ def factor_forgotten(image_distance, wavelength):
     return np.sqrt(wavelength * image_distance)
 
 
-# --- the data sheet ---------------------------------------------------------------------------
+def divided_by_the_distance(image_distance, wavelength):
+    return np.sqrt(2.44 * wavelength / image_distance)
 
 
-def filled_in(
-    pixels_per_mm: float, f: float, image_size: tuple[int, int], f_calibrated: float
-) -> dict[str, float]:
-    """Return the data sheet's values that follow from a number of pixels per millimetre."""
-    return {
-        "pixels_per_mm": pixels_per_mm,
-        "f_px": f * pixels_per_mm,
-        "c_u": (image_size[0] - 1) / 2,
-        "c_v": (image_size[1] - 1) / 2,
-        "f_calibrated_mm": f_calibrated / pixels_per_mm,
-    }
+def distance_outside_the_root(image_distance, wavelength):
+    return image_distance / np.sqrt(2.44 * wavelength)
 
 
-def data_sheet_pixel_size(f, sensor_size, image_size, f_calibrated):
-    return filled_in(sensor_size[0] / image_size[0], f, image_size, f_calibrated)
-
-
-def data_sheet_along_the_height(f, sensor_size, image_size, f_calibrated):
-    return filled_in(image_size[1] / sensor_size[1], f, image_size, f_calibrated)
-
-
-def data_sheet_rows_first(f, sensor_size, image_size, f_calibrated):
-    values = filled_in(image_size[0] / sensor_size[0], f, image_size, f_calibrated)
-    return {**values, "c_u": values["c_v"], "c_v": values["c_u"]}
-
-
-def data_sheet_inverse_ratio(f, sensor_size, image_size, f_calibrated):
-    values = filled_in(image_size[0] / sensor_size[0], f, image_size, f_calibrated)
-    return {**values, "f_calibrated_mm": f * values["f_px"] / f_calibrated}
-
-
-def data_sheet_whole_size(f, sensor_size, image_size, f_calibrated):
-    values = filled_in(image_size[0] / sensor_size[0], f, image_size, f_calibrated)
-    return {**values, "c_u": image_size[0], "c_v": image_size[1]}
-
-
-def data_sheet_half_the_size(f, sensor_size, image_size, f_calibrated):
-    values = filled_in(image_size[0] / sensor_size[0], f, image_size, f_calibrated)
-    return {**values, "c_u": image_size[0] / 2, "c_v": image_size[1] / 2}
-
-
-def data_sheet_still_in_pixels(f, sensor_size, image_size, f_calibrated):
-    values = filled_in(image_size[0] / sensor_size[0], f, image_size, f_calibrated)
-    return {**values, "f_calibrated_mm": f_calibrated}
+def rayleighs_number(image_distance, wavelength):
+    return 1.9 * np.sqrt(wavelength * image_distance)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from course_lib import camera
 from course_lib.exercises.pinhole import inputs
-from course_lib.exercises.pinhole import misconceptions as wrong
+from course_lib.exercises.pinhole import misconceptions_perspective as wrong
 from course_lib.judging import Exercise, Explain, Misconception, Part
 
 PROJECT_PINHOLE = Exercise(
@@ -47,6 +47,30 @@ PROJECT_PINHOLE = Exercise(
             wrong.mirrors_what_is_behind,
             "Can light from behind the camera reach the picture? What should such a row say?",
         ),
+        Misconception(
+            wrong.centre_added_first,
+            "Is c a length in the scene or a place in the picture? When should it be added?",
+        ),
+        Misconception(
+            wrong.depth_without_sign,
+            "A point behind the camera: does it appear where one in front of it would?",
+        ),
+        Misconception(
+            wrong.zero_depth_is_in_front,
+            "A point at depth zero lies beside the hole. Is it in front of the camera?",
+        ),
+        Misconception(
+            wrong.both_focal_lengths_for_each,
+            "f may be two numbers: which of them belongs to u, which to v?",
+        ),
+        Misconception(
+            wrong.first_focal_length_for_both,
+            "f may be two numbers. Which of them did you use for v?",
+        ),
+        Misconception(
+            wrong.loop_over_one_point,
+            "One point is an array of shape (3,). What does your loop get from it?",
+        ),
     ],
     forbidden=("cv2.projectPoints",),
 )
@@ -82,6 +106,18 @@ VANISHING_POINT = Exercise(
             wrong.at_infinity,
             "Lines parallel to the image plane meet nowhere. What does your function say there?",
         ),
+        Misconception(
+            wrong.without_sign,
+            "d and -d belong to the same lines. Do both give the same pixel in your function?",
+        ),
+        Misconception(
+            wrong.one_direction_only,
+            "With several rows, is `direction[2]` a number? `[..., 2]` is the last column.",
+        ),
+        Misconception(
+            wrong.both_lengths_for_each_pixel,
+            "f may be two numbers: which of them belongs to u, which to v?",
+        ),
     ],
 )
 
@@ -109,6 +145,14 @@ DOLLY_ZOOM = Exercise(
         Misconception(
             wrong.only_the_factor,
             "That is how many times longer the lens must get. How long is it then?",
+        ),
+        Misconception(
+            wrong.times_the_distance,
+            "In which unit is your focal length? Which number without a unit should multiply f?",
+        ),
+        Misconception(
+            wrong.only_the_change,
+            "If the camera does not move, f should stay as it is. What does your formula give?",
         ),
     ],
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from course_lib import camera, optics
 from course_lib.exercises.pinhole import inputs
 from course_lib.exercises.pinhole import misconceptions as wrong
-from course_lib.judging import Close, Exercise, Misconception, Part, ValuesExercise
+from course_lib.judging import Close, Exercise, Misconception, Part
 
 PIXEL_FOCAL_LENGTH = Exercise(
     "pinhole",
@@ -75,6 +75,14 @@ FIELD_OF_VIEW = Exercise(
             wrong.angles_added,
             "Do angles add up like this? Which side of which triangle is the diagonal?",
         ),
+        Misconception(
+            wrong.angles_squared_and_added,
+            "Is the triangle with the diagonal made of angles or of lengths?",
+        ),
+        Misconception(
+            wrong.sides_added,
+            "How long is the diagonal of a rectangle? Shorter than the way along its two sides.",
+        ),
     ],
 )
 
@@ -85,6 +93,7 @@ EQUIVALENT_FOCAL_LENGTH = Exercise(
         "sensors of the same shape": Part(inputs.same_shape_sensor, weight=1),
         "sensors of another shape": Part(inputs.wide_lens, weight=3),
     },
+    compare=Close(rtol=1e-4),  # the diagonal may be typed in with four digits: 43.27 mm
     misconceptions=[
         Misconception(
             wrong.crop_by_width,
@@ -106,6 +115,14 @@ EQUIVALENT_FOCAL_LENGTH = Exercise(
         Misconception(
             wrong.only_the_crop_factor,
             "That is a factor without a unit. Which length has to be multiplied by it?",
+        ),
+        Misconception(
+            wrong.crop_by_root_of_area,
+            "Equal areas are not equal diagonals. Which length did the makers agree to compare?",
+        ),
+        Misconception(
+            wrong.always_twice,
+            "Twice is right for one size of sensor. Does your factor know how large this one is?",
         ),
     ],
 )
@@ -142,6 +159,14 @@ FIRST_GUESS_INTRINSICS = Exercise(
             wrong.fx_for_both_axes,
             "Suppose a pixel is taller than wide. Does a millimetre hold as many rows as columns?",
         ),
+        Misconception(
+            wrong.middle_rounded_down,
+            "A row of 4 pixels has its middle between two of them. Which number is that?",
+        ),
+        Misconception(
+            wrong.last_one_forgotten,
+            "Multiply your matrix with (X, Y, Z). The third result should be Z: is it?",
+        ),
     ],
 )
 
@@ -173,70 +198,17 @@ BEST_PINHOLE_DIAMETER = Exercise(
             wrong.factor_forgotten,
             "Your formula has the right unit. Where has the number in front of the Airy disk gone?",
         ),
-    ],
-)
-
-
-def data_sheet(f, sensor_size, image_size, f_calibrated):
-    """Work out a camera's first guess from its data sheet, and read a calibration back."""
-    pixels_per_mm = image_size[0] / sensor_size[0]
-    c_u, c_v = camera.image_centre(image_size)
-    return {
-        "pixels_per_mm": pixels_per_mm,
-        "f_px": f * pixels_per_mm,
-        "c_u": c_u,
-        "c_v": c_v,
-        "f_calibrated_mm": f_calibrated / pixels_per_mm,
-    }
-
-
-DATA_SHEET = ValuesExercise(
-    "pinhole",
-    data_sheet,
-    given={
-        "f": 85.0,
-        "sensor_size": (27.6, 25.9),
-        "image_size": (2048, 1920),
-        "f_calibrated": 6890.5,
-    },
-    units={
-        "pixels_per_mm": "px/mm, along the width",
-        "f_px": "focal length in px, along the width",
-        "c_u": "principal point, column in px",
-        "c_v": "principal point, row in px",
-        "f_calibrated_mm": "the calibrated focal length in mm",
-    },
-    points=5,
-    # Digits of a pocket calculator are enough; half a pixel of 1024 is too much.
-    compare=Close(rtol=4.5e-4, atol=0),
-    misconceptions=[
         Misconception(
-            wrong.data_sheet_pixel_size,
-            "Is that the number of pixels in a millimetre, or of millimetres in a pixel?",
+            wrong.divided_by_the_distance,
+            "Has your answer the unit of a length? And which box needs the larger hole?",
         ),
         Misconception(
-            wrong.data_sheet_rows_first,
-            "A picture of 2048 × 1920 has 2048 columns. Which coordinate counts columns?",
+            wrong.distance_outside_the_root,
+            "Has your answer the unit of a length? Which quantities stand under the root?",
         ),
         Misconception(
-            wrong.data_sheet_inverse_ratio,
-            "The calibrated focal length is longer in pixels. Should it be shorter in millimetres?",
-        ),
-        Misconception(
-            wrong.data_sheet_whole_size,
-            "The principal point is near the middle of the picture. Is yours?",
-        ),
-        Misconception(
-            wrong.data_sheet_half_the_size,
-            "Where is pixel 0: at the left edge of the picture, or half a pixel inside?",
-        ),
-        Misconception(
-            wrong.data_sheet_along_the_height,
-            "The task asks along the width. Which of the two sides did you take?",
-        ),
-        Misconception(
-            wrong.data_sheet_still_in_pixels,
-            "Is this number in pixels or in millimetres?",
+            wrong.rayleighs_number,
+            "Lord Rayleigh's 1.9 follows from another rule. Which number makes our b(d) smallest?",
         ),
     ],
 )
