@@ -68,8 +68,7 @@ def from_homogeneous(points: ArrayLike) -> Array:
     Returns
     -------
     ndarray, shape (N, d) or (d,)
-        The points. A point at infinity, ``w = 0`` (or below 1e-75 in size), has no ordinary
-        coordinates: its row is NaN.
+        The points. A point at infinity, ``w = 0``, has no ordinary coordinates: its row is NaN.
 
     Raises
     ------
@@ -88,6 +87,7 @@ def from_homogeneous(points: ArrayLike) -> Array:
     """
     points = check_rows(points, "points", least=2)
     w = points[..., -1:]
+    # A w below SMALLEST counts as zero: the quotient would overflow.
     return points[..., :-1] / np.where(np.abs(w) >= SMALLEST, w, np.nan)
 
 

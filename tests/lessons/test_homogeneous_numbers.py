@@ -120,7 +120,7 @@ def test_the_file_read_wrongly_looks_elsewhere():
 def test_intrinsics_of_the_example():
     assert pytest.approx(draw.K[0, 0]) == 35 / 0.05
     assert pytest.approx(20) == 1 / 0.05
-    says("$s_x = 20$ px/mm", "$f_x = 700$ px")
+    says("$m_x = 20$ px/mm", "$f_x = 700$ px")
 
 
 def test_answers_to_the_questions_on_the_whole_camera():

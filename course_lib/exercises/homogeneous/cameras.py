@@ -5,7 +5,7 @@ from __future__ import annotations
 from course_lib import camera
 from course_lib.exercises.homogeneous import camera_misconceptions as wrong
 from course_lib.exercises.homogeneous import pose_inputs as inputs
-from course_lib.judging import Exercise, Explain, Misconception, Part
+from course_lib.judging import Exercise, Explain, Misconception, Part, UpToScale
 
 CAMERA_MATRIX = Exercise(
     "homogeneous",
@@ -16,6 +16,7 @@ CAMERA_MATRIX = Exercise(
         "cameras that were only moved": Part(inputs.matrix_of_a_moved_camera, weight=1),
         "cameras anywhere, with skew": Part(inputs.matrix_of_any_camera, weight=3),
     },
+    compare=UpToScale(tolerance=1e-9),  # the last row is thousands of times smaller
     misconceptions=[
         Misconception(
             wrong.t_without_K,
