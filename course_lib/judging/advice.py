@@ -56,6 +56,39 @@ ADVICE = (
     ("UnboundLocalError", "", "This name is used before it is assigned in the function."),
     ("IndexError", "", "There are fewer entries than the index needs; the first has index 0."),
     ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
+    (
+        "ValueError",
+        "core dimension",
+        "The inner sizes of the matrix product do not fit. Points are rows here, so a matrix A "
+        "moves them as `points @ A.T`. Print both shapes.",
+    ),
+    (
+        "ValueError",
+        "not aligned",
+        "The inner sizes of the matrix product do not fit. Points are rows here, so a matrix A "
+        "moves them as `points @ A.T`. Print both shapes.",
+    ),
+    (
+        "ValueError",
+        "not have enough dimensions",
+        "The sign `@` multiplies arrays. One of the two is a single number here: `*`?",
+    ),
+    (
+        "ValueError",
+        "concatenation axis",
+        "The arrays that you put together do not fit side by side. Print both shapes.",
+    ),
+    (
+        "ValueError",
+        "same number of dimensions",
+        "A table and a list of numbers cannot be put together: both need rows and columns. "
+        "Print both shapes.",
+    ),
+    (
+        "LinAlgError",
+        "must be square",
+        "Only a square matrix has a determinant or an inverse. Take the square part of it.",
+    ),
     ("ValueError", "broadcast", "The shapes of the two arrays do not fit. Print both shapes."),
     ("ValueError", "truth value", "An `if` needs one yes or no; for arrays there is `np.where`."),
     ("ValueError", "unpack", "The number of names on the left is not the number of values."),

@@ -43,6 +43,28 @@ def test_hypot_takes_two_numbers():
     assert "np.hypot(a, b)" in said(np.hypot, (36, 24))
 
 
+@pytest.mark.parametrize("product", [np.matmul, np.dot])
+@pytest.mark.parametrize("shapes", [((4, 3), (4, 3)), ((3, 3), (4, 3)), ((4, 3), (4,))])
+def test_matrix_before_rows_of_points(product, shapes):
+    words = said(product, *map(np.ones, shapes))
+    assert "`points @ A.T`" in words
+    assert "Print both shapes" in words
+
+
+def test_number_in_a_matrix_product():
+    assert "`*`" in said(np.matmul, np.eye(3), 2.0)
+
+
+def test_arrays_that_do_not_fit_side_by_side():
+    rows = np.ones((4, 3))
+    for other, axis in ((np.ones((1, 4)), 1), (np.ones(4), 1), (np.ones((4, 2)), 0)):
+        assert "Print both shapes" in said(lambda a=other, b=axis: np.concatenate([rows, a], b))
+
+
+def test_determinant_of_a_camera_matrix():
+    assert "square" in said(np.linalg.det, np.ones((3, 4)))
+
+
 def test_other_advice_is_not_hidden():
     assert "np.array" in said(lambda points: points / 2, [1, 2])
     assert "divisor is zero" in said(lambda: 1.0 / 0)
