@@ -146,21 +146,6 @@ class Close:
 
 
 @dataclass(frozen=True)
-class BothBeyond:
-    """Single numbers that are both far too large, of either sign: for recognising a mistake."""
-
-    limit: float
-
-    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
-        """Return why one of both is not beyond the limit, or None."""
-        array = _numeric(got, np.asarray(expected, dtype=float))
-        if isinstance(array, Mismatch):
-            return array
-        beyond = (np.abs([array, expected]) > self.limit).all()
-        return None if beyond else Mismatch("values", "The number is not that large.")
-
-
-@dataclass(frozen=True)
 class Exactly:
     """The same value of the same kind: texts, truth values, whole numbers."""
 

@@ -52,10 +52,25 @@ class Part:
 
 @dataclass(frozen=True)
 class Misconception:
-    """A plausible wrong implementation, and what a good teaching assistant would ask about it."""
+    """A plausible wrong implementation, and what a good teaching assistant would ask about it.
+
+    Parameters
+    ----------
+    variant : callable
+        The wrong implementation.
+    hint : str
+        A question about it.
+    also : sequence of callable
+        The same mistake in other words, whose results differ: they get the same hint.
+    compare : callable, optional
+        How an answer is compared with the variant's, where chance leaves only the order of
+        magnitude alike; else the exercise's comparison.
+    """
 
     variant: Callable[..., Any]
     hint: str
+    also: Sequence[Callable[..., Any]] = ()
+    compare: Comparison | None = None
 
     @property
     def name(self) -> str:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
 
 from course_lib.judging.answering import Answer, answer
-from course_lib.judging.comparison import Close, Comparison, Exactly
+from course_lib.judging.comparison import Close, Comparison, Exactly, Mismatch
 from course_lib.judging.exercise import Case, Exercise, Misconception
 
 
@@ -44,20 +48,45 @@ def find_misconceptions(
     return list({m.name: m for m in found}.values())
 
 
+@dataclass(frozen=True)
+class BothBeyond:
+    """Numbers that are both far too large, of either sign: the same mistake, whatever the fit."""
+
+    limit: float
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return None where both numbers are beyond the limit."""
+        beyond = np.ndim(got) == 0 and min(abs(got), abs(expected)) > self.limit
+        return None if beyond else Mismatch("values", "The number is not that large.")
+
+
 def _agreement(
     exercise: Exercise,
     misconception: Misconception,
     cases: Sequence[Case],
     answers: Sequence[Answer],
 ) -> list[bool]:
-    outcomes = answer(exercise, misconception.variant, cases)
-    return [_alike(exercise, a, o) for a, o in zip(answers, outcomes, strict=True)]
+    compare = misconception.compare or exercise.compare
+
+    def agreement(variant: Callable[..., Any]) -> list[bool]:
+        outcomes = answer(exercise, variant, cases)
+        return [_alike(compare, a, o) for a, o in zip(answers, outcomes, strict=True)]
+
+    ways = [agreement(variant) for variant in (misconception.variant, *misconception.also)]
+    return max(ways, key=lambda way: _explained(cases, way))
 
 
-def _alike(exercise: Exercise, given: Answer, outcome: Answer) -> bool:
+def _explained(cases: Sequence[Case], agreement: Sequence[bool]) -> tuple[int, int]:
+    """Return how many parts, and how many cases, a variant answers as the student did."""
+    parts = {case.part for case in cases}
+    differing = {c.part for c, agrees in zip(cases, agreement, strict=True) if not agrees}
+    return len(parts - differing), sum(agreement)
+
+
+def _alike(compare: Comparison, given: Answer, outcome: Answer) -> bool:
     if given.status != "value" or outcome.status != "value":
         return (given.status, given.error) == (outcome.status, outcome.error)
-    return any(_agrees(way, given, outcome) for way in (exercise.compare, Close(), Exactly()))
+    return any(_agrees(way, given, outcome) for way in (compare, Close(), Exactly()))
 
 
 def _agrees(compare: Comparison, given: Answer, outcome: Answer) -> bool:

@@ -76,12 +76,14 @@ def test_second_solution_earns_all_points(exercise):
 
 
 @pytest.mark.parametrize(
-    ("exercise", "misconception"), PAIRS, ids=lambda value: getattr(value, "name", "")
+    ("exercise", "misconception", "wrong"),
+    [(e, m, wrong) for e in EXERCISES for m in e.misconceptions for wrong in (m.variant, *m.also)],
+    ids=lambda value: getattr(value, "name", getattr(value, "__name__", "")),
 )
-def test_misconception_loses_points_and_gets_its_own_hint(exercise, misconception):
+def test_misconception_loses_points_and_gets_its_own_hint(exercise, misconception, wrong):
     for seed in SEEDS:
         for reveal in (True, False):
-            verdict = verdict_for(exercise, misconception.variant, seed, reveal)
+            verdict = verdict_for(exercise, wrong, seed, reveal)
             assert verdict.points < exercise.points, seed
             assert verdict.misconceptions == (misconception.name,), seed
             assert verdict.hints == (misconception.hint,), seed
@@ -154,7 +156,8 @@ def test_exercise_is_well_formed(exercise):
     for case in pose(exercise, 0):
         assert list(case.inputs) == parameters
     for misconception in exercise.misconceptions:
-        assert list(inspect.signature(misconception.variant).parameters) == parameters
+        for wrong in (misconception.variant, *misconception.also):
+            assert list(inspect.signature(wrong).parameters) == parameters
 
 
 @each_exercise

@@ -33,6 +33,11 @@ EXPOSURE_VALUE = Exercise(
             "Your value grows by one when the light grows tenfold. How large is a stop?",
         ),
         Misconception(
+            wrong.logarithm_left_out,
+            "Stops count how often the light doubles. Does your value grow by one, or twofold?",
+            also=[wrong.logarithm_left_out_of_both],
+        ),
+        Misconception(
             wrong.iso_the_other_way,
             "With more ISO the same settings suit a darker scene. Does your value rise or fall?",
         ),
@@ -98,10 +103,7 @@ SENSOR_RESPONSE = Exercise(
             wrong.every_photon_counts,
             "Does each photon set an electron free? Which number of the data sheet says so?",
         ),
-        Misconception(
-            wrong.offset_left_out,
-            "Which number should a pixel hold in the dark?",
-        ),
+        Misconception(wrong.offset_left_out, "Which number should a pixel hold in the dark?"),
         Misconception(
             wrong.offset_amplified,
             "The offset is given in DN. Does the amplifier still come after it?",
@@ -129,6 +131,10 @@ SENSOR_RESPONSE = Exercise(
         Misconception(
             wrong.dark_without_time,
             "The dark current is given per second. How long does it flow?",
+        ),
+        Misconception(
+            wrong.dark_added_to_full_wells,
+            "The well is full of light's electrons. Is there room for those of the dark current?",
         ),
     ],
 )
@@ -170,6 +176,11 @@ SIGNAL_TO_NOISE = Exercise(
             "With the cap on there should be no signal. What does your function say there?",
         ),
         Misconception(
+            wrong.dark_squared,
+            "The dark current is a number of electrons, no deviation. How large is the variance "
+            "of such a number?",
+        ),
+        Misconception(
             wrong.shot_noise_only,
             "In very dim light your ratio is too good. Which noise is there without any light?",
         ),
@@ -177,10 +188,7 @@ SIGNAL_TO_NOISE = Exercise(
             wrong.rounding_left_out,
             "One step of these numbers is many electrons. Is rounding to whole steps exact?",
         ),
-        Misconception(
-            wrong.in_decibels,
-            "Is a plain ratio asked for, or its logarithm?",
-        ),
+        Misconception(wrong.in_decibels, "Is a plain ratio asked for, or its logarithm?"),
     ],
 )
 
@@ -202,10 +210,7 @@ MOTION_BLUR_PIXELS = Exercise(
             wrong.pixel_size_multiplied,
             "With finer pixels the same way covers more of them. Does your result grow then?",
         ),
-        Misconception(
-            wrong.divided_by_time,
-            "Does a shorter exposure smear more, or less?",
-        ),
+        Misconception(wrong.divided_by_time, "Does a shorter exposure smear more, or less?"),
         Misconception(
             wrong.pixels_upside_down,
             "Let the object stand still. How long is the smear, and what do you get?",
@@ -286,6 +291,10 @@ STRIPE_HEIGHT = Exercise(
         Misconception(
             wrong.angle_in_degrees,
             "Which unit does `np.tan` want, and which one do you give it?",
+        ),
+        Misconception(
+            wrong.radians_of_radians,
+            "You convert the angles. In which unit do they come into your function?",
         ),
     ],
 )

@@ -104,8 +104,9 @@ def too_bright(rng: Generator, **changes: Any) -> Inputs:
 
 
 def full_pixels(rng: Generator) -> Inputs:
-    """Draw a well that overflows long before the numbers end."""
-    return too_bright(rng, full_well=8_000.0, gain=0.35, bits=12)
+    """Draw a well that overflows long before the numbers end, in seconds of dark current."""
+    made = too_bright(rng, full_well=8_000.0, gain=0.35, bits=12)
+    return {**made, "exposure_time": float(np.round(rng.uniform(4, 20), 1))}
 
 
 def last_number(rng: Generator) -> Inputs:

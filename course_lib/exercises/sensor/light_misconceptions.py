@@ -23,6 +23,14 @@ def decimal_logarithm(N, t, iso=100):
     return np.log10(N**2 / t) - np.log10(iso / 100)
 
 
+def logarithm_left_out(N, t, iso=100):
+    return N**2 / t / (iso / 100)
+
+
+def logarithm_left_out_of_both(N, t, iso=100):
+    return N**2 / t - iso / 100
+
+
 def iso_the_other_way(N, t, iso=100):
     return np.log2(N**2 / t) + np.log2(iso / 100)
 
@@ -108,6 +116,12 @@ def dark_left_out(photons, sensor, exposure_time=0.0):
     return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
 
 
+def dark_added_to_full_wells(photons, sensor, exposure_time=0.0):
+    electrons = np.minimum(sensor.quantum_efficiency * photons, sensor.full_well)
+    electrons = electrons + sensor.dark_current * exposure_time
+    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+
+
 def dark_without_time(photons, sensor, exposure_time=0.0):
     electrons = sensor.quantum_efficiency * photons + sensor.dark_current
     electrons = np.minimum(electrons, sensor.full_well)
@@ -151,6 +165,12 @@ def photons_for_electrons(photons, sensor, exposure_time=0.0):
 def dark_as_signal(photons, sensor, exposure_time=0.0):
     signal = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
     return signal / np.sqrt(signal + sensor.read_noise**2 + sensor.quantisation_noise**2)
+
+
+def dark_squared(photons, sensor, exposure_time=0.0):
+    signal = sensor.quantum_efficiency * photons
+    dark = sensor.dark_current * exposure_time
+    return signal / np.sqrt(signal + dark**2 + sensor.read_noise**2 + sensor.quantisation_noise**2)
 
 
 def shot_noise_only(photons, sensor, exposure_time=0.0):
@@ -244,3 +264,7 @@ def tangent_multiplied(shift, light_angle, camera_angle=0.0):
 
 def angle_in_degrees(shift, light_angle, camera_angle=0.0):
     return shift / (np.tan(np.degrees(light_angle)) + np.tan(np.degrees(camera_angle)))
+
+
+def radians_of_radians(shift, light_angle, camera_angle=0.0):
+    return shift / (np.tan(np.radians(light_angle)) + np.tan(np.radians(camera_angle)))

@@ -200,4 +200,5 @@ def square_pixels(rng: Generator) -> Known:
 
 def oblong_pixels(rng: Generator) -> Known:
     width = np.round(rng.uniform(0.05, 0.4), 3)
-    return silhouetted(rng, (float(width), float(np.round(width * rng.uniform(1.2, 1.8), 3))))
+    height = np.round(width * rng.uniform(1.2, 1.8), 3)
+    return silhouetted(rng, np.array([width, height]))

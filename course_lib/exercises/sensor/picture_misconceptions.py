@@ -6,57 +6,6 @@ from typing import Any
 
 import numpy as np
 
-# --- camera_gain_from_pairs -------------------------------------------------------------------
-
-
-def slope(mean: Any, variance: Any, good: Any) -> Any:
-    """Fit the line through the origin, as all variants below do."""
-    return mean[good] @ variance[good] / (mean[good] @ mean[good])
-
-
-def transfer(first: Any, second: Any, dark_first: Any, dark_second: Any, white: Any) -> Any:
-    """Return mean, variance and what is not saturated, rightly."""
-    first, second = first.astype(float), second.astype(float)
-    mean = ((first + second) / 2).mean(axis=(1, 2)) - (dark_first.mean() + dark_second.mean()) / 2
-    dark = (dark_first.astype(float) - dark_second).var() / 2
-    variance = (first - second).var(axis=(1, 2)) / 2 - dark
-    return mean, variance, ((first >= white).mean(axis=(1, 2)) < 0.001)
-
-
-def difference_not_halved(first, second, dark_first, dark_second, white):
-    mean, variance, good = transfer(first, second, dark_first, dark_second, white)
-    return slope(mean, 2 * variance, good)
-
-
-def dark_not_subtracted(first, second, dark_first, dark_second, white):
-    mean, variance, good = transfer(first, second, dark_first, dark_second, white)
-    return slope(mean + dark_first.mean(), variance, good)
-
-
-def saturated_pairs_kept(first, second, dark_first, dark_second, white):
-    mean, variance, good = transfer(first, second, dark_first, dark_second, white)
-    return slope(mean, variance, np.ones_like(good))
-
-
-def one_picture_alone(first, second, dark_first, dark_second, white):
-    mean, _, good = transfer(first, second, dark_first, dark_second, white)
-    return slope(mean, first.var(axis=(1, 2)) - dark_first.var(), good)
-
-
-def electrons_per_number(first, second, dark_first, dark_second, white):
-    return 1 / slope(*transfer(first, second, dark_first, dark_second, white))
-
-
-def deviation_for_variance(first, second, dark_first, dark_second, white):
-    mean, variance, good = transfer(first, second, dark_first, dark_second, white)
-    return slope(mean, np.sqrt(np.maximum(variance, 0)), good)
-
-
-def wraps_around(first, second, dark_first, dark_second, white):
-    mean, _, good = transfer(first, second, dark_first, dark_second, white)
-    return slope(mean, (first - second).var(axis=(1, 2)) / 2, good)
-
-
 # --- clipped_fraction -------------------------------------------------------------------------
 
 
@@ -239,12 +188,20 @@ def bright_counted(image, threshold, pixel_size):
     return np.count_nonzero(image >= threshold) * np.prod(np.broadcast_to(pixel_size, 2))
 
 
+def brighter_counted(image, threshold, pixel_size):
+    return np.count_nonzero(image > threshold) * np.prod(np.broadcast_to(pixel_size, 2))
+
+
 def threshold_included(image, threshold, pixel_size):
     return np.count_nonzero(image <= threshold) * np.prod(np.broadcast_to(pixel_size, 2))
 
 
 def side_for_area(image, threshold, pixel_size):
     return np.count_nonzero(image < threshold) * np.broadcast_to(pixel_size, 2)[0]
+
+
+def times_the_sides(image, threshold, pixel_size):
+    return np.count_nonzero(image < threshold) * pixel_size
 
 
 def number_of_pixels(image, threshold, pixel_size):

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from course_lib import illumination, sensor
+from course_lib.exercises.sensor import gain_misconceptions as gain_wrong
 from course_lib.exercises.sensor import picture_inputs as inputs
 from course_lib.exercises.sensor import picture_misconceptions as wrong
 from course_lib.judging import Exercise, Explain, Misconception, Part
 from course_lib.judging.comparison import Close
+from course_lib.judging.matching import BothBeyond
 
 CAMERA_GAIN_FROM_PAIRS = Exercise(
     "sensor",
@@ -20,34 +22,44 @@ CAMERA_GAIN_FROM_PAIRS = Exercise(
     compare=Close(rtol=0.08, atol=0),
     misconceptions=[
         Misconception(
-            wrong.difference_not_halved,
+            gain_wrong.difference_not_halved,
             "A difference of two pictures holds the noise of both. How many times one variance "
             "is that?",
         ),
         Misconception(
-            wrong.dark_not_subtracted,
+            gain_wrong.dark_not_subtracted,
             "Without light the numbers are not zero. Do those DN come from electrons of light?",
         ),
         Misconception(
-            wrong.saturated_pairs_kept,
+            gain_wrong.saturated_pairs_kept,
             "A white picture has no noise at all. Should it tell you about electrons?",
+            also=[gain_wrong.line_through_saturated_pairs],
         ),
         Misconception(
-            wrong.one_picture_alone,
+            gain_wrong.partly_saturated_kept,
+            "Of one of your pairs, only some pixels are at the largest number. Is its noise whole?",
+            also=[gain_wrong.line_through_partly_saturated],
+        ),
+        Misconception(
+            gain_wrong.one_picture_alone,
             "Within one picture the pixels differ for other reasons than chance. What is the "
             "second one of the pair for?",
+            also=[gain_wrong.line_through_single_pictures],
         ),
         Misconception(
-            wrong.electrons_per_number,
+            gain_wrong.electrons_per_number,
             "DN per electron is asked for. Which unit does your number have?",
         ),
         Misconception(
-            wrong.deviation_for_variance,
+            gain_wrong.deviation_for_variance,
             "What grows in proportion to the number of electrons: the variance, or its root?",
+            also=[gain_wrong.line_through_deviations],
         ),
         Misconception(
-            wrong.wraps_around,
+            gain_wrong.wraps_around,
             "Ask NumPy for `np.uint16(3) - np.uint16(5)`. Is that what you want to average?",
+            also=[gain_wrong.wraps_around_whole],
+            compare=BothBeyond(50),
         ),
     ],
 )
@@ -227,6 +239,7 @@ SILHOUETTE_AREA = Exercise(
         Misconception(
             wrong.bright_counted,
             "The light comes from behind. Is the object bright in this picture, or dark?",
+            also=[wrong.brighter_counted],
         ),
         Misconception(
             wrong.threshold_included,
@@ -235,6 +248,7 @@ SILHOUETTE_AREA = Exercise(
         Misconception(
             wrong.side_for_area,
             "Which unit should an area have, and which one does yours have?",
+            also=[wrong.times_the_sides],
         ),
         Misconception(
             wrong.number_of_pixels,
