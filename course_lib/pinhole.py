@@ -55,7 +55,7 @@ def image_centre(image_size: ArrayLike) -> Array:
 
 
 def pixel_focal_length(f: float, sensor_size: ArrayLike, image_size: ArrayLike) -> Array:
-    """Return the focal length in pixels, along the rows and along the columns.
+    """Return the focal length in pixels, across (for u) and down (for v).
 
     Parameters
     ----------

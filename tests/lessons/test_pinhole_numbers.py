@@ -8,6 +8,7 @@ from scipy.ndimage import map_coordinates
 from skimage.data import stereo_motorcycle
 
 from course_lib import camera, optics
+from course_lib.drawing import pinhole as draw
 from course_lib.drawing.explorers.dolly import dolly_zoom_frame
 from course_lib.exercises.pinhole.data_sheet import data_sheet
 
@@ -77,7 +78,8 @@ def test_rack_has_a_right_angle_and_the_text_says_what_was_measured():
     assert degrees_between(direction(moved), along) == pytest.approx(2, abs=0.2)
     change = degrees_between(direction(moved), down) - degrees_between(along, down)
     assert change == pytest.approx(0.3, abs=0.05)
-    says("moves by about 400 px", "by only 2°", "by 0.3°")
+    assert degrees_between(direction(moved), down) == pytest.approx(90.2, abs=0.05)
+    says("moves by about 400 px", "by only 2°", "by 0.3°", "it becomes 90.2°")
 
 
 def test_depth_of_the_photograph_confirms_the_direction():
@@ -137,9 +139,9 @@ def test_equivalents():
 
 
 def test_perspective():
-    assert pytest.approx(73, abs=0.5) == 800 * 1.6 * (1 / 5 - 1 / 7)
-    assert pytest.approx(13, abs=0.5) == 800 * 1.6 * (1 / 13 - 1 / 15)
-    says("73 px high", "13 px high")
+    assert pytest.approx(69, abs=0.5) == 800 * 1.5 * (1 / 5 - 1 / 7)
+    assert pytest.approx(12, abs=0.5) == 800 * 1.5 * (1 / 13 - 1 / 15)
+    says("69 px high", "12 px high")
     pixel = camera.project_pinhole((1.2, 0.5, 4), 800, (319.5, 239.5))
     assert pixel.tolist() == [559.5, 339.5]
     meeting = camera.vanishing_point((1, 0, 2), 800, (319.5, 239.5))
@@ -160,7 +162,8 @@ def test_house():
 
 def test_older_convention_is_ours_with_the_sign_turned():
     f, X, Z = 50, 1000, 10_000
-    assert f * X / (f - (Z + f)) == -f * X / Z
+    assert f * X / (f - (Z + f)) == -f * X / Z == -5
+    says("both give $x = -5$ mm", "$+5$ mm")
     forgotten = f * X / (Z + f)
     assert 1 - forgotten / (f * X / Z) == pytest.approx(f / Z, rel=0.01)
     assert pytest.approx(833, abs=0.5) == 5 / 0.006
@@ -173,11 +176,28 @@ def test_best_hole_in_the_explorer():
 
 
 def test_foreshortening_with_the_middle_of_the_step():
-    f, height = 800, 1.6
-    for near, far, exact, formula in ((5, 7, 73, 71), (13, 15, 13, 13)):
+    f, height = 800, 1.5
+    for near, far, exact, formula in ((5, 7, 69, 67), (13, 15, 12, 12)):
         assert round(f * height / near - f * height / far) == exact
         assert round(f * height * 2 / ((near + far) / 2) ** 2) == formula
-    says("it gives 71 px and 13 px")
+    says("/ 6^2 = 67$ px", "(1/5 - 1/7) = 69$ px", "draw.foreshortening(f=800, height=1.5")
+
+
+def test_point_goes_to_the_same_pixel_through_K():
+    K = np.array([[800, 0, 319.5], [0, 800, 239.5], [0, 0, 1]])
+    assert (K @ (1.2, 0.5, 4)).tolist() == [2238, 1358, 4]
+    assert camera.project_pinhole((1.2, 0.5, 4), 800, (319.5, 239.5)).tolist() == [559.5, 339.5]
+    says("2238 \\\\ 1358 \\\\ 4", "= 559.5", "= 339.5")
+
+
+def test_camera_that_looks_up():
+    view = draw.street_view(turn_deg=14, tilt_deg=20, f=24)
+    f, c = view.K[0, 0], view.K[:2, 2]
+    assert f == pytest.approx(480)
+    road = camera.vanishing_point(draw.road_direction(view), f, c)
+    upright = camera.vanishing_point(view.R @ (0, 0, 1), f, c)
+    assert [round(road[1]), round(upright[1])] == [414, -1079]
+    says("to the row 414", "= -1079$", "tilt_deg=20")
 
 
 def test_dolly_explorer_shows_what_the_text_says():

@@ -48,7 +48,8 @@ def photograph(picture: ArrayLike, c: ArrayLike, edges: Mapping[str, Edge] | Non
     _mark(ax, ((width - 1) / 2, (height - 1) / 2), "s", "middle of the picture")
     _mark(ax, c, "P", "principal point")
     for (name, edge), colour in zip((edges or {}).items(), _colours(), strict=False):
-        stroke(ax, edge, color=colour, lw=3)
+        stroke(ax, edge, color="white", lw=7.5)
+        stroke(ax, edge, color=colour, lw=5)
         along = np.abs(np.subtract(*edge))
         beside = (0, 18) if along[0] > along[1] else (-48, 0)
         _label(ax, np.mean(edge, axis=0) + np.array(beside), name, colour)

@@ -133,13 +133,13 @@ def _strip(d: float | None, pixels: int = 88) -> Floats:
     from matplotlib.colors import to_rgb
 
     y = SENSOR_REACH * (np.arange(pixels) + 0.5) / pixels * 2 - SENSOR_REACH
-    depth, picture, total = SENSOR_X - LAMP_X, np.zeros((pixels, 3)), np.zeros(pixels)
+    depth, picture, bare = SENSOR_X - LAMP_X, np.zeros((pixels, 3)), np.zeros((pixels, 3))
     for height, colour in LAMPS:
         through = np.ones_like(y) if d is None else np.abs(y + height) / 2 <= d / 2
-        light = through / (depth**2 + (y - height) ** 2) ** 1.5
-        picture += light[:, None] * to_rgb(colour)
-        total += light
-    return np.asarray(picture / total.max())
+        light = (depth**2 + (y - height) ** 2)[:, None] ** -1.5 * to_rgb(colour)
+        picture += through[:, None] * light
+        bare += light
+    return np.asarray(picture / bare.max())  # one exposure for every hole, and for none
 
 
 @figure(

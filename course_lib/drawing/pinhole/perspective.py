@@ -89,23 +89,31 @@ def house_picture(
         for edge in HOUSE_EDGES:
             dashes = {"zorder": 3} if edge in seen else {"ls": (0, (4, 3)), "lw": 1.2}
             stroke(ax, drawn[list(edge)], "second", **dashes)
-        ax.fill(*drawn[: len(GABLE)].T, color=ROLES["second"], alpha=0.25, lw=0)
+        for face in _seen_faces(np.asarray(points, dtype=float)):
+            alpha = 0.25 if face == HOUSE_FACES[0] else 0.45  # the side wall lies in the shade
+            ax.fill(*drawn[list(face)].T, color=ROLES["second"], alpha=alpha, lw=0)
         ax.plot(*drawn.T, "o", color=ROLES["second"], ms=6, label="your function")
     ax.plot(*c, "+", color=GREY, ms=12, label="principal point")
     ax.legend(loc="lower left")
     return fig
 
 
-def _seen_edges(points: Floats) -> set[tuple[int, int]]:
-    """Return the edges that belong to a face whose outside is turned to the hole."""
+def _seen_faces(points: Floats) -> list[tuple[int, ...]]:
+    """Return the faces whose outside is turned to the hole."""
     middle = points.mean(axis=0)
-    edges = set[tuple[int, int]]()
+    faces = []
     for face in HOUSE_FACES:
         corner = points[list(face)]
         normal = np.cross(corner[1] - corner[0], corner[2] - corner[1])
         if (normal @ corner[0]) * (normal @ (corner[0] - middle)) < 0:  # the hole is at 0
-            edges |= {edge for edge in HOUSE_EDGES if set(edge) <= set(face)}
-    return edges
+            faces.append(face)
+    return faces
+
+
+def _seen_edges(points: Floats) -> set[tuple[int, int]]:
+    """Return the edges of the faces whose outside is turned to the hole."""
+    faces = [set(face) for face in _seen_faces(points)]
+    return {edge for edge in HOUSE_EDGES if any(set(edge) <= face for face in faces)}
 
 
 @figure(
@@ -140,7 +148,7 @@ def size_against_distance(f: float = 800.0, height: float = 1.8, marked: float =
     "Five equal steps of {step:g} m on the ground, from the side and in the picture: the "
     "farther away a step is, the flatter it is in the picture."
 )
-def foreshortening(f: float = 800.0, height: float = 1.6, step: float = 2.0) -> Figure:
+def foreshortening(f: float = 800.0, height: float = 1.5, step: float = 2.0) -> Figure:
     """Show why equal steps on the ground are unequal steps in the picture.
 
     Parameters
@@ -160,16 +168,16 @@ def foreshortening(f: float = 800.0, height: float = 1.6, step: float = 2.0) -> 
     fig, (side, picture) = panels(1, 2, (FULL_WIDTH, 3.4), width_ratios=(1.7, 1))
     sketch(side, "From the side").set_aspect("auto")
     _steps_from_the_side(side, Z, height)
-    picture.set_title("In the picture")
+    picture.set_title("In the picture, lower half")
     for k, (near, far) in enumerate(pairwise(Z)):
         road = [(-2, height, near), (2, height, near), (2, height, far), (-2, height, far)]
         tile = project_pinhole(road, f, (319.5, 239.5))
         picture.fill(*tile.T, color=(ORANGE, LIGHT)[k % 2], lw=0)
         edge, high = tile[1:3].mean(axis=0), tile[0, 1] - tile[2, 1]
-        write(picture, (edge[0] + 20, edge[1]), f"{high:.0f} px", ha="left", fontsize=8)
+        write(picture, (edge[0] + 30, edge[1]), f"{high:.0f} px", ha="left", fontsize=8)
     picture.axhline(239.5, color=GREY, lw=1.5, ls=(0, (8, 4)))
-    write(picture, (319.5, 225), "horizon", "guide")
-    picture.set(xlim=(-100, 740), ylim=(520, 200), xlabel="u (px)", ylabel="v (px)")
+    write(picture, (319.5, 222), "horizon", "guide")
+    picture.set(xlim=(-0.5, 639.5), ylim=(479.5, 200), xlabel="u (px)", ylabel="v (px)")
     return fig
 
 
