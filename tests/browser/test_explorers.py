@@ -24,6 +24,12 @@ EXPLORERS = {
         "Rays through a thin lens",
         "Object distance Z",
     ),
+    "lenses": (
+        "lenses",
+        "two_lens_explorer",
+        "Rays through two lenses",
+        "Focal length 1",
+    ),
     "window": ("lenses", "aperture_window_explorer", "The aperture window", "f-number N"),
     "exposure": (
         "sensor",
