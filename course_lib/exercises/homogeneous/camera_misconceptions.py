@@ -78,6 +78,11 @@ def block_transposed(points, P):
     return np.where(_in_front(points, P), x[..., :2] / x[..., 2:], np.nan)
 
 
+def all_numbers_made_positive(points, P):
+    x = _images(points, np.abs(P))
+    return np.where(x[..., 2:] > 0, x[..., :2] / x[..., 2:], np.nan)
+
+
 # --- pixel_ray --------------------------------------------------------------------------------
 
 
@@ -117,3 +122,18 @@ def points_for_directions(pixels, K, R, t):
 
 def centre_of_the_picture_at_zero(pixels, K, R, t):
     return -R.T @ t, _unit(_ahead(pixels + K[:2, 2], K) @ R)
+
+
+def point_made_a_unit_vector(pixels, K, R, t):
+    return -R.T @ t, _unit(_ahead(pixels, K) @ R - R.T @ t)
+
+
+def matrix_not_transposed(pixels, K, R, t):
+    ones = np.ones_like(pixels[..., :1])
+    ahead = np.concatenate([pixels, ones], axis=-1) @ np.linalg.inv(K)
+    return -R.T @ t, _unit(ahead @ R)
+
+
+def one_length_for_all(pixels, K, R, t):
+    rays = _ahead(pixels, K) @ R
+    return -R.T @ t, rays / np.linalg.norm(rays)

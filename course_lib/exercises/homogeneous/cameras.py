@@ -84,6 +84,11 @@ PROJECT = Exercise(
             wrong.block_transposed,
             "Points are rows here. What must happen to a matrix that multiplies from the right?",
         ),
+        Misconception(
+            wrong.all_numbers_made_positive,
+            "A camera matrix has negative numbers inside. Which single number tells whether the "
+            "whole matrix is negated?",
+        ),
     ],
     forbidden=("cv2.projectPoints", "cv2.perspectiveTransform"),
 )
@@ -122,6 +127,19 @@ PIXEL_RAY = Exercise(
         Misconception(
             wrong.points_for_directions,
             "A direction has no place. Did you add one?",
+        ),
+        Misconception(
+            wrong.point_made_a_unit_vector,
+            "A direction has no place. Did you add one before you made it a unit vector?",
+        ),
+        Misconception(
+            wrong.matrix_not_transposed,
+            "Your pixels are rows. Does the inverse of K multiply rows the way it should?",
+        ),
+        Misconception(
+            wrong.one_length_for_all,
+            "You divide all rays by one length. Is it the length of each row, or of the whole "
+            "table?",
         ),
         Misconception(
             wrong.centre_of_the_picture_at_zero,

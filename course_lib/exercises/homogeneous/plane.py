@@ -42,6 +42,10 @@ TO_HOMOGENEOUS = Exercise(
             wrong.last_number_made_one,
             "You changed the coordinates. Does a point move when you only write it differently?",
         ),
+        Misconception(
+            wrong.as_many_ones_as_coordinates,
+            "You append a one for each coordinate. How many more numbers does a point need?",
+        ),
     ],
     forbidden=("cv2.convertPointsToHomogeneous",),
 )
@@ -80,6 +84,10 @@ FROM_HOMOGENEOUS = Exercise(
         Misconception(
             wrong.infinity_left_as_it_is,
             "You return a place for a point at infinity. Is there such a place in the plane?",
+        ),
+        Misconception(
+            wrong.negative_w_refused,
+            "Only the ratio counts. Which point is (−6, −8, −2), and what do you make of it?",
         ),
     ],
     forbidden=("cv2.convertPointsFromHomogeneous",),
@@ -121,6 +129,14 @@ LINE_THROUGH = Exercise(
         Misconception(
             wrong.difference_of_points,
             "A difference says how to go from one point to the other. Is that a line's equation?",
+        ),
+        Misconception(
+            wrong.scalar_product,
+            "The scalar product is one number. How many numbers has a line?",
+        ),
+        Misconception(
+            wrong.number_by_number,
+            "Number times number: is that perpendicular to both? Which product of vectors is?",
         ),
     ],
 )

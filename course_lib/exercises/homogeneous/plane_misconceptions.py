@@ -33,6 +33,10 @@ def last_number_made_one(points):
     return points / points[..., -1:]
 
 
+def as_many_ones_as_coordinates(points):
+    return np.concatenate([points, np.ones_like(points)], axis=-1)
+
+
 # --- from_homogeneous -------------------------------------------------------------------------
 
 
@@ -59,6 +63,11 @@ def divided_by_first(points):
 def infinity_left_as_it_is(points):
     w = points[..., -1:]
     return np.where(w == 0, points[..., :-1], points[..., :-1] / np.where(w == 0, 1, w))
+
+
+def negative_w_refused(points):
+    w = points[..., -1:]
+    return np.where(w > 0, points[..., :-1] / np.where(w == 0, 1, w), np.nan)
 
 
 # --- line_through -----------------------------------------------------------------------------
@@ -93,6 +102,14 @@ def middle_sign_forgotten(p, q):
 
 def difference_of_points(p, q):
     return q - p
+
+
+def scalar_product(p, q):
+    return np.dot(p, q)
+
+
+def number_by_number(p, q):
+    return p * q
 
 
 # --- meet -------------------------------------------------------------------------------------
@@ -156,3 +173,13 @@ def three_turns_in_turn(axis, angle):
     x, y, z = angle * axis / np.linalg.norm(axis)
     about_z, about_y = _rodrigues((0, 0, 1), z), _rodrigues((0, 1, 0), y)
     return about_z @ about_y @ _rodrigues((1, 0, 0), x)
+
+
+def number_for_a_matrix(axis, angle):
+    n, c = axis / np.linalg.norm(axis), np.cos(angle)
+    return c + (1 - c) * np.outer(n, n) + np.sin(angle) * _cross(n)
+
+
+def number_for_the_outer_product(axis, angle):
+    n, c = axis / np.linalg.norm(axis), np.cos(angle)
+    return c * np.eye(3) + (1 - c) * (n @ n.T) + np.sin(angle) * _cross(n)

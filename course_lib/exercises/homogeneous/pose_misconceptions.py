@@ -6,6 +6,13 @@ from typing import Any
 
 import numpy as np
 
+
+def _matrix(R: Any, t: Any) -> Any:
+    M = np.eye(4)
+    M[:3, :3], M[:3, 3] = R, t
+    return M
+
+
 # --- invert_pose ------------------------------------------------------------------------------
 
 
@@ -27,6 +34,10 @@ def sign_left_out(R, t):
 
 def R_kept(R, t):
     return R, -R.T @ t
+
+
+def matrix_of_the_way_back(R, t):
+    return _matrix(R.T, -R.T @ t)
 
 
 # --- camera_centre ----------------------------------------------------------------------------
@@ -106,6 +117,16 @@ def translation_not_turned(world_from_camera):
     return np.diag([1, -1, -1]) @ R, t
 
 
+def only_z_turned_round_late(world_from_camera):
+    R, t = _inverse(world_from_camera[:3, :3], world_from_camera[:3, 3])
+    return np.diag([1, 1, -1]) @ R, t
+
+
+def last_row_for_the_centre(world_from_camera):
+    R_camera = world_from_camera[:3, :3] @ np.diag([1, -1, -1])
+    return _inverse(R_camera, world_from_camera[3, :3])
+
+
 # --- gimbal_pose ------------------------------------------------------------------------------
 
 _LEVEL = np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])
@@ -153,3 +174,24 @@ def camera_to_world(pan, tilt, mount, offset):
 
 def looks_up_at_rest(pan, tilt, mount, offset):
     return _from_axes(_about_z(pan) @ _about_x(tilt), mount, offset)
+
+
+def axes_as_rows(pan, tilt, mount, offset):
+    return _from_axes(_about_z(pan) @ _about_x(tilt) @ _LEVEL.T, mount, offset)
+
+
+def factors_reversed(pan, tilt, mount, offset):
+    R_camera = _LEVEL @ _about_x(tilt) @ _about_z(pan)
+    return _inverse(R_camera, offset + R_camera @ mount)
+
+
+def offset_forgotten(pan, tilt, mount, offset):
+    return _inverse(_about_z(pan) @ _about_x(tilt) @ _LEVEL, mount)
+
+
+def matrix_of_the_placement(pan, tilt, mount, offset):
+    return _matrix(*camera_to_world(pan, tilt, mount, offset))
+
+
+def matrix_of_the_pose(pan, tilt, mount, offset):
+    return _matrix(*_inverse(*camera_to_world(pan, tilt, mount, offset)))

@@ -45,6 +45,14 @@ ROTATION_ABOUT_AXIS = Exercise(
             "Three turns one after another depend on their order. "
             "Does the axis stay where it is under your matrix?",
         ),
+        Misconception(
+            wrong_turn.number_for_a_matrix,
+            "NumPy adds a number to all nine entries. Which of your terms is no 3 × 3 matrix?",
+        ),
+        Misconception(
+            wrong_turn.number_for_the_outer_product,
+            "How large is your product of n with itself: one number, or a 3 × 3 matrix?",
+        ),
     ],
     forbidden=("cv2.Rodrigues",),
 )
@@ -78,6 +86,10 @@ INVERT_POSE = Exercise(
         Misconception(
             wrong.R_kept,
             "Turn your head to the left. Which turn brings it back: the same one once more?",
+        ),
+        Misconception(
+            wrong.matrix_of_the_way_back,
+            "You return the inverse as one 4 × 4 matrix. Which two parts of it were asked for?",
         ),
     ],
 )
@@ -178,6 +190,14 @@ CV_FROM_GRAPHICS_CAMERA = Exercise(
             wrong.translation_not_turned,
             "Your R is right. Where does your pose send the camera's own centre?",
         ),
+        Misconception(
+            wrong.only_z_turned_round_late,
+            "You turn one axis alone. Is your frame still right-handed, like every real camera?",
+        ),
+        Misconception(
+            wrong.last_row_for_the_centre,
+            "Your R is right, but t ignores the place. Does the place stand in a row or a column?",
+        ),
     ],
 )
 
@@ -219,6 +239,28 @@ GIMBAL_POSE = Exercise(
         Misconception(
             wrong.looks_up_at_rest,
             "With both angles zero the camera is level. Where does the axis of yours point?",
+        ),
+        Misconception(
+            wrong.axes_as_rows,
+            "At rest your camera looks south. Do the camera's axes stand in the rows of your L, "
+            "or in its columns?",
+        ),
+        Misconception(
+            wrong.factors_reversed,
+            "A point seen by the camera meets the rightmost matrix first. Which one must that be?",
+        ),
+        Misconception(
+            wrong.offset_forgotten,
+            "Your camera sits right where the axes cross. Which of the four inputs is unused?",
+        ),
+        Misconception(
+            wrong.matrix_of_the_placement,
+            "You return one 4 × 4 matrix, from camera to world. Which two parts, and which "
+            "direction, were asked for?",
+        ),
+        Misconception(
+            wrong.matrix_of_the_pose,
+            "You return the pose as one 4 × 4 matrix. Which two parts of it were asked for?",
         ),
     ],
 )
