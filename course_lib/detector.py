@@ -83,7 +83,7 @@ def sensor_response(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
     Examples
     --------
     >>> sensor = SensorModel(quantum_efficiency=0.5, full_well=10_000, gain=0.3, offset=16, bits=12)
-    >>> sensor_response([0, 2000, 18_000, 90_000], sensor)
+    >>> sensor_response(np.array([0, 2000, 18_000, 90_000]), sensor)
     array([  16.,  316., 2716., 3016.])
     """
     photons, exposure_time = check_light(photons, exposure_time)

@@ -47,7 +47,8 @@ def exposure_value(N: ArrayLike, t: ArrayLike, iso: ArrayLike = 100) -> Array:
     --------
     Bright sun asks for about 15, a living room in the evening for 6:
 
-    >>> exposure_value([16, 2], [1 / 125, 1 / 60], [100, 400]).round(1)
+    >>> N, t, iso = np.array([16, 2]), np.array([1 / 125, 1 / 60]), np.array([100, 400])
+    >>> exposure_value(N, t, iso).round(1)
     array([15. ,  5.9])
     """
     N, t, iso = check_positive(N, "N"), check_positive(t, "t"), check_positive(iso, "iso")

@@ -67,7 +67,8 @@ def silhouette_area(image: ArrayLike, threshold: float, pixel_size: ArrayLike) -
     --------
     Three pixels of 0.5 mm × 0.5 mm:
 
-    >>> silhouette_area([[15, 15, 15], [15, 1, 15], [0, 0, 15]], threshold=8, pixel_size=0.5)
+    >>> image = np.array([[15, 15, 15], [15, 1, 15], [0, 0, 15]])
+    >>> silhouette_area(image, threshold=8, pixel_size=0.5)
     0.75
     """
     dark = check_grey(image) < check_number(threshold, "threshold")
@@ -110,7 +111,7 @@ def stripe_height(shift: ArrayLike, light_angle: float, camera_angle: float = 0.
 
     Examples
     --------
-    >>> stripe_height([0, 2.5], light_angle=np.pi / 4)
+    >>> stripe_height(np.array([0, 2.5]), light_angle=np.pi / 4)
     array([0. , 2.5])
     """
     shift = check_numbers(shift, "shift")

@@ -125,7 +125,7 @@ def demosaic_bilinear(mosaic: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> demosaic_bilinear([[10, 2, 10, 2], [4, 7, 4, 7]])[0, 1]
+    >>> demosaic_bilinear(np.array([[10, 2, 10, 2], [4, 7, 4, 7]]))[0, 1]
     array([10.,  2.,  7.])
     """
     mosaic = check_numbers(mosaic, "mosaic")

@@ -57,7 +57,7 @@ def signal_to_noise(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
     Examples
     --------
     >>> sensor = SensorModel(quantum_efficiency=0.5, read_noise=10, gain=1)
-    >>> signal_to_noise([20, 20_000], sensor).round(2)
+    >>> signal_to_noise(np.array([20, 20_000]), sensor).round(2)
     array([ 0.95, 99.5 ])
     """
     photons, exposure_time = check_light(photons, exposure_time)
@@ -120,7 +120,7 @@ def clipped_fraction(image: ArrayLike, black: float = 0, white: float = 255) -> 
 
     Examples
     --------
-    >>> clipped_fraction([[0, 7, 255, 255], [3, 0, 254, 255]])
+    >>> clipped_fraction(np.array([[0, 7, 255, 255], [3, 0, 254, 255]]))
     array([0.25 , 0.375])
     """
     image = check_picture(image, "image")
@@ -222,7 +222,8 @@ def flat_field(image: ArrayLike, dark: ArrayLike, flat: ArrayLike) -> Array:
     --------
     The right pixel sees half as much of everything:
 
-    >>> flat_field([[110, 60]], dark=[[10, 10]], flat=[[210, 110]])
+    >>> image, dark, flat = np.array([[110, 60]]), np.array([[10, 10]]), np.array([[210, 110]])
+    >>> flat_field(image, dark, flat)
     array([[75., 75.]])
     """
     image, dark, flat = (

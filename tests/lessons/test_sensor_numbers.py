@@ -134,7 +134,8 @@ def test_the_propeller():
 def test_colour():
     says("black=600, white=15_520, gains=(1.949, 1.344)", "by 1.949 and blue by 1.344")
     assert sensor.srgb_decode(0.5) == pytest.approx(0.214, abs=0.0005)
-    says("the darkest 21.4 % of the light", "Code 0.5 is 21 % of the light")
+    assert pytest.approx(0.218, abs=0.0005) == 0.5**2.2
+    says("the darkest 21.4 % of the light", "0.5^{2.2} = 21.8$ %", "Code 0.5 is 21 % of the light")
     grey = sensor.grey_from_rgb(np.eye(3))
     np.testing.assert_allclose(grey, (0.21, 0.72, 0.07), atol=0.005)
     says("0.21 R + 0.72 G + 0.07 B")
@@ -152,9 +153,9 @@ def test_vignetting():
 
 def test_silhouettes():
     part = np.array(draw.BACK_LIT)
-    assert (part < 8).sum() == 26
-    assert illumination.silhouette_area(part, 8, 0.5) == pytest.approx(6.5)
-    assert illumination.silhouette_area(0.9 * part, 8, 0.5) == pytest.approx(6.5)
+    assert (part < 7.5).sum() == 26
+    assert illumination.silhouette_area(part, 7.5, 0.5) == pytest.approx(6.5)
+    assert illumination.silhouette_area(0.9 * part, 7.5, 0.5) == pytest.approx(6.5)
     says(r"$26 \cdot 0.25 = 6.5$ mm²", "15 becomes 13.5")
     truth = np.pi * (9**2 - 4.6**2)
     assert truth == pytest.approx(188.0, abs=0.05)
@@ -185,5 +186,12 @@ def test_back_to_the_belt():
     model = sensor.SensorModel(full_well=20_000, read_noise=6, gain=exposure.SENSOR.gain)
     assert sensor.signal_to_noise(27_165, model) == pytest.approx(128, abs=0.5)
     assert f"read_noise=6, gain={exposure.SENSOR.gain:g})" in TEXT
-    says("0.125 ms", "80 times the light, 40 000 lx, brings back the SNR of 128")
+    assert pytest.approx(0.182) == 0.2 * 455 / 500
+    assert sensor.motion_blur_pixels(800, t, 0.182) == pytest.approx(0.55, abs=0.005)
+    says(
+        "= 0.18$ mm",
+        "= 0.55$ px",
+        "0.125 ms",
+        "80 times the light, 40 000 lx, brings back the SNR of 128",
+    )
     assert optics.magnification(25, 500) * 0.2 == pytest.approx(exposure.pitch_um() / 1000)

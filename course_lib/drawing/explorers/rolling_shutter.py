@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 SIZE = 320  # px: side of the picture
 SKY, DARK = (206, 222, 236), (40, 44, 52)
 DIAGRAM_SIZE = (260, 320)
-PLOT = (46.0, 246.0, 34.0, 272.0)  # px: left, right, top, bottom
+PLOT = (64.0, 246.0, 34.0, 272.0)  # px: left, right, top, bottom
 LONGEST = 45.0  # ms: end of the time axis
 ROLLING, GLOBAL = "rolling: row after row", "global: all rows at once"
 
@@ -114,8 +114,8 @@ def _diagram(readout: float, exposure: float) -> Picture:
         labels=(
             *ticks,
             Label("time in ms", ((left + right) / 2, bottom + 34), anchor="middle"),
-            Label("first row", (left + 4, top - 14)),
-            Label("last row", (left + 4, bottom - 8)),
+            Label("first row", (left - 4, top + 4), anchor="end"),
+            Label("last row", (left - 4, bottom - 6), anchor="end"),
         ),
     )
 
@@ -132,5 +132,5 @@ def _some_rows(readout: float, exposure: float) -> list[tuple[float, float]]:
 def _at(time: float, row: float) -> tuple[float, float]:
     """Return a pixel of the diagram from a time in ms and a row of the photograph."""
     left, right, top, bottom = PLOT
-    down = (bottom - top - 24) * row / (SIZE - 1)
+    down = (bottom - top - 6) * row / (SIZE - 1)
     return left + (right - left) * time / LONGEST, top + down

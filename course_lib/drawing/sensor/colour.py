@@ -206,13 +206,13 @@ def gamma_curve(bits: int = 4) -> Figure:
         where = (0, 0.35, 1.2 * row, 1.2 * row + 0.8)
         ramps.imshow(ramp[None], extent=where, aspect="auto", vmin=0, vmax=1)
         ramps.text(0, 1.2 * row + 0.86, f"{bits} bits, levels {name}", fontsize=9)
-    ramps.set(xlim=(0, 0.35), ylim=(0, 2.3), yticks=[], xlabel="light (share)")
+    ramps.set(xlim=(0, 0.35), ylim=(0, 2.3), yticks=[], xlabel="light (share), the darkest 35 %")
     return fig
 
 
 @figure(
     "Washers and two brass nuts under light that falls off to the right, as red, green, blue,"
-    " hue, saturation and value: only in the hue do both nuts look alike."
+    " hue, saturation and value: in hue and saturation both nuts look alike, and unlike the rest."
 )
 def colour_spaces(light: ArrayLike) -> Figure:
     """Show a colour picture with uneven light as red, green, blue and as hue, saturation, value.

@@ -131,13 +131,13 @@ def exposure_chart(yours: ArrayLike | None = None) -> Figure:
     for value, name in SCENES:
         time = N**2 / 2.0**value
         ax.plot(N, time, color=GREY, lw=1.4)
-        left = 1.05 if value > 12 else 8.5
-        ax.text(left, 1.2 * left**2 / 2.0**value, f"EV {value}: {name}", fontsize=9, rotation=13)
+        left = 2.2 if value > 12 else 8.5
+        ax.text(left, 1.35 * left**2 / 2.0**value, f"EV {value}: {name}", fontsize=9, rotation=13)
     stops = np.array(STOPS)
     ax.plot(stops, np.full(10, 1 / 125), "o", mfc="none", mec=BLUE, ms=11, label="1/125 s")
     _your_values(ax, stops, same_shape(yours, exposure_value(stops, 1 / 125)))
     ax.set(xscale="log", yscale="log", xlabel="f-number (no unit)", ylabel="exposure time (s)")
-    ax.set(xlim=(0.97, 24), ylim=(2e-5, 60))
+    ax.set(xlim=(0.88, 24.5), ylim=(2e-5, 60))
     ax.set_xticks(stops, [f"{s:g}" for s in stops])
     ax.set_yticks([1e-4, 1e-2, 1], ["1/10000", "1/100", "1"])
     ax.minorticks_off()
@@ -151,4 +151,6 @@ def _your_values(ax: Axes, stops: Floats, values: Floats | None) -> None:
         return
     ax.plot(stops, np.full(10, 1 / 125), "o", color=ROLES["second"], ms=6, label="your EV")
     for N, value in zip(stops, values, strict=True):
-        ax.text(N, 1 / 125 * 0.5, f"{value:.1f}", ha="center", va="top", fontsize=8)
+        paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.8}
+        number = f"{value:.1f}"
+        ax.text(N, 1 / 125 * 0.5, number, ha="center", va="top", fontsize=8, bbox=paper)

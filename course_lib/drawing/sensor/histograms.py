@@ -22,6 +22,7 @@ Numbers = NDArray[np.unsignedinteger]
 
 #: The camera of these figures, and the photons that fill its wells.
 SENSOR = SensorModel(full_well=15_000, read_noise=5, gain=0.27, offset=64, bits=12)
+HIGHEST = 16  # % of the pixels: where the histograms are cut off
 FULL = SENSOR.full_well / SENSOR.quantum_efficiency
 
 
@@ -81,7 +82,7 @@ def histogram_series(stops: tuple[float, ...] = (-3.0, 0.0, 2.0)) -> Figure:
         picture(top, shown(as_light(numbers, SENSOR)), f"{stop:+g} stops" if stop else "right")
         _histogram(bottom, numbers, SENSOR.white)
     axes[1, 0].set_ylabel("pixels (share in %)")
-    axes[1, 0].set_ylim(0, 16)
+    axes[1, 0].set_ylim(0, HIGHEST)
     return fig
 
 
@@ -92,7 +93,10 @@ def _histogram(ax: Axes, numbers: Numbers, white: int) -> None:
     clipped = 100 * float((numbers >= white).mean())
     if clipped > 0.05:
         ax.bar(edges[-2], share[-1], edges[-1] - edges[-2], align="edge", color=RED)
-        ax.text(white, 13.5, f"{clipped:.0f} % clipped", ha="right", fontsize=9)
+        ax.text(0.95 * white, 11, f"{clipped:.0f} % clipped", ha="right", fontsize=9)
+    if share.max() > HIGHEST:
+        what = f"highest bar: {share.max():.0f} %,\ncut off here"
+        ax.text(0.95 * white, 13.2, what, ha="right", fontsize=8)
     ax.set(xlabel="number (DN)", xlim=(0, white + 1))
 
 
@@ -147,7 +151,7 @@ def gain_before_or_after(factor: float = 16.0, bits: int = 8) -> Figure:
     """
     base = SensorModel(full_well=15_000, read_noise=5, gain=0.016, offset=4, bits=bits)
     part = slice(120, 250), slice(10, 205)
-    fig, axes = panels(2, 2, (FULL_WIDTH, 4.6), height_ratios=(1.7, 1), sharey="row")
+    fig, axes = panels(2, 2, (FULL_WIDTH, 4.6), height_ratios=(1.7, 1))
     cases = ((base.amplified(factor), 1.0, "gain before"), (base, factor, "multiplied afterwards"))
     for (top, bottom), (sensor, after, title) in zip(axes.T, cases, strict=True):
         numbers = street_exposed(-np.log2(factor), sensor)
@@ -157,5 +161,6 @@ def gain_before_or_after(factor: float = 16.0, bits: int = 8) -> Figure:
         share = 100 * np.bincount(values.ravel(), minlength=256) / values.size
         bottom.bar(np.arange(256), share, width=1.3, color=BLUE)
         bottom.set(xlabel="number (DN)", xlim=(0, 256))
-    axes[1, 0].set_ylabel("pixels (%)")
+    for ax in axes[1]:
+        ax.set_ylabel("pixels (%)")
     return fig

@@ -79,7 +79,7 @@ def _ray(ax: Axes, start: tuple[float, float], end: tuple[float, float]) -> None
     "An 8 by 8 table of grey values with a dark U-shaped part of 0 and 1 before a background "
     "of 15; the histogram has two groups with a threshold between them."
 )
-def back_lit(threshold: float = 8.0, pixel: float = 0.5) -> Figure:
+def back_lit(threshold: float = 7.5, pixel: float = 0.5) -> Figure:
     """Show the grey values of a small back-lit part, and which pixels a threshold takes for it.
 
     Parameters
@@ -103,8 +103,8 @@ def back_lit(threshold: float = 8.0, pixel: float = 0.5) -> Figure:
         ax.fill(*square.T, fill=False, ec=ORANGE, lw=2)
     height = np.bincount(grey.ravel(), minlength=16)
     counts.bar(np.arange(16), height, color=[ORANGE if g < threshold else GREY for g in range(16)])
-    counts.axvline(threshold - 0.5, color=BLACK, lw=1.5, ls=(0, (5, 3)))
-    counts.text(threshold - 0.2, height.max() * 0.92, "threshold", fontsize=9)
+    counts.axvline(threshold, color=BLACK, lw=1.5, ls=(0, (5, 3)))
+    counts.text(threshold + 0.3, height.max() * 0.92, f"threshold {threshold:g}", fontsize=9)
     counts.set(xlabel="grey value (DN)", ylabel="number of pixels (px)")
     return fig
 

@@ -46,11 +46,15 @@ def computed_raw() -> NDArray[np.uint16]:
 
 
 @figure(
-    "Three pictures of a brass nut: from the lens, behind a mosaic of red, green and blue "
-    "filters, and with guessed colours; empty where your function does not answer yet."
+    "A brass nut: from the lens, behind a mosaic of red, green and blue "
+    "filters, and, where they are asked for, with guessed colours; empty where your function does not answer yet."
 )
 def mosaic_and_back(
-    light: ArrayLike, mosaic: ArrayLike | None = None, colours: ArrayLike | None = None
+    light: ArrayLike,
+    mosaic: ArrayLike | None = None,
+    colours: ArrayLike | None = None,
+    *,
+    asked: bool = False,
 ) -> Figure:
     """Show a colour picture, what a mosaic leaves of it, and the colours guessed from that.
 
@@ -62,20 +66,23 @@ def mosaic_and_back(
         What a student's function made of it; shown in the colours of the filters.
     colours : array_like, shape (rows, columns, 3), optional
         What a student's function guessed from the mosaic.
+    asked : bool
+        Whether colours are asked for already; else there is no place for them.
 
     Returns
     -------
     Figure
-        Three pictures; empty where there is no answer yet.
+        Two or three pictures; empty where there is no answer yet.
     """
     truth = np.asarray(light, dtype=float)
     seen = same_shape(mosaic, truth[..., 0])
     guessed = same_shape(colours, truth)
     filtered = None if seen is None else seen[..., None] * bayer_masks(seen.shape)
-    fig, axes = panels(1, 3, (FULL_WIDTH, 2.3))
+    fig, axes = panels(1, 2 + asked, (FULL_WIDTH, 2.3))
     picture(axes[0], shown(truth), "from the lens")
-    _or_empty(axes[1], filtered, truth, "your mosaic")
-    _or_empty(axes[2], guessed, truth, "your colours")
+    _or_empty(axes[1], filtered, truth, "mosaic" if asked else "your mosaic")
+    if asked:
+        _or_empty(axes[2], guessed, truth, "your colours")
     return fig
 
 

@@ -48,7 +48,8 @@ def photon_patches(means: Sequence[float] = (4, 16, 100, 10_000), side: int = 60
 
 
 @figure(
-    "The number in the file against photons: a straight line up to the full well, level beyond it."
+    "The number in the file against photons: dashed lines at the full well and the largest "
+    "number; with an answer, a straight line up to the full well, level beyond it."
 )
 def response_curve(sensor: SensorModel, yours: ArrayLike | None = None) -> Figure:
     """Show which number a sensor writes for how many photons.
@@ -63,21 +64,24 @@ def response_curve(sensor: SensorModel, yours: ArrayLike | None = None) -> Figur
     Returns
     -------
     Figure
-        The mean number against photons; the full well and the largest number as dashed lines.
+        The full well and the largest number as dashed lines; with an answer, the mean number
+        against photons, the student's and the course's.
     """
     photons, some = np.linspace(0, 36_000, 400), np.linspace(0, 36_000, 13)
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.1))
-    ax.plot(photons, sensor_response(photons, sensor), color=BLUE, label="the course's function")
+    drawn = same_shape(yours, sensor_response(some, sensor))
+    if drawn is not None:
+        numbers = sensor_response(photons, sensor)
+        ax.plot(photons, numbers, color=BLUE, label="the course's function")
+        ax.plot(some, drawn, "o", color=ROLES["second"], ms=8, label="your function")
+        ax.legend(loc="upper left", bbox_to_anchor=(0.0, 0.86))
     full = sensor.full_well / sensor.quantum_efficiency
     ax.axvline(full, color=GREY, lw=1.2, ls=(0, (5, 3)))
     ax.text(full + 300, 300, f"{sensor.full_well:g} electrons:\nthe well is full", fontsize=9)
     ax.axhline(sensor.white, color=GREY, lw=1.2, ls=(0, (5, 3)))
-    ax.text(300, sensor.white * 0.93, f"largest number {sensor.white}", fontsize=9, va="top")
-    drawn = same_shape(yours, sensor_response(some, sensor))
-    if drawn is not None:
-        ax.plot(some, drawn, "o", color=ROLES["second"], ms=8, label="your function")
-    ax.set(xlabel="photons in a pixel (number)", ylabel="number in the file (DN)", ylim=0)
-    ax.legend(loc="upper left", bbox_to_anchor=(0.0, 0.86))
+    ax.text(300, sensor.white * 0.985, f"largest number {sensor.white}", fontsize=9, va="top")
+    ax.set(xlabel="photons in a pixel (number)", ylabel="number in the file (DN)")
+    ax.set(xlim=(-1000, 37_000), ylim=(0, 1.05 * sensor.white))
     return fig
 
 

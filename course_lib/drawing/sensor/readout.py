@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib.drawing.diagrams import figure, fit, panels, sketch, stroke, write
-from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREEN, GREY, LIGHT, ORANGE, RED
+from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREEN, GREY, ORANGE, RED
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -215,7 +215,8 @@ def skewed_pole(
     sky = np.linspace(0.92, 0.72, height)[:, None, None] * np.ones((1, width, 3))
     ax.imshow(sky * (1 - pole[..., None]) + 0.15 * pole[..., None])
     picture_frame(ax, (width, height))
-    stroke(ax, [(200, 0), (200, height - 1)], color=LIGHT, lw=1.2, ls=(0, (5, 4)))
+    stroke(ax, [(200, 0), (200, height - 1)], color=BLACK, lw=1.2, ls=(0, (5, 4)))
+    write(ax, (185, 290), "dashed: upright", fontsize=9, ha="right")
     write(ax, (330, 60), "an upright pole that\nmoves to the right", fontsize=10)
     drawn = same_shape(yours, np.array(skew))
     if drawn is not None and np.isfinite(drawn):

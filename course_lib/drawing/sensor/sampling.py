@@ -111,7 +111,9 @@ def aliasing(pitches: Sequence[int] = (1, 6, 12), size: int = 240) -> Figure:
             ax = axes[row, column]
             ax.imshow(sampled, vmin=0, vmax=255)
             ax.set(xticks=[], yticks=[])
-        axes[0, column].set_title(f"pixels of {pitch}", fontsize=11)
+        axes[0, column].set_title(
+            f"pixels {pitch} times as wide" if pitch > 1 else "finest pixels", fontsize=11
+        )
     axes[0, 0].set_ylabel("one point a pixel")
     axes[1, 0].set_ylabel("the whole pixel")
     return fig

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
 from course_lib.drawing.sensor.screen import picture, shown
-from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREY, ORANGE
+from course_lib.drawing.style import BLUE, FULL_WIDTH, GREY, ORANGE
 from course_lib.sensor import (
     flat_field,
     lateral_chromatic_shift,
@@ -48,14 +48,16 @@ def vignetting_profile(f: float = 24.0, pupils: tuple[float, float] = (12.0, 3.0
     r = np.linspace(0, DIAGONAL, 200)
     natural = vignetting(np.arctan2(r, f))
     fig, (ax, wide, small) = panels(1, 3, (FULL_WIDTH, 2.5), width_ratios=(1.5, 1, 1))
-    ax.plot(r, 100 * natural, color=BLACK, ls=(0, (2, 3)), lw=1.2, zorder=3, label="cos⁴ alone")
+    ax.plot(r, 100 * natural, color=GREY, lw=8, alpha=0.4, label="cos⁴ alone")
     v, u = np.mgrid[-12:12:161j, -18:18:241j]
     across = np.arctan2(np.hypot(u, v), f)
     for pupil, colour, wall in zip(pupils, (ORANGE, BLUE), (wide, small), strict=True):
         rim = mechanical_vignetting(np.arctan2(r, f), pupil, 17.0, 7.0)
         ax.plot(r, 100 * natural * rim, color=colour, label=f"f/{f / pupil:g}")
         share = vignetting(across) * mechanical_vignetting(across, pupil, 17.0, 7.0)
-        picture(wall, shown(0.8 * share), f"a white wall, f/{f / pupil:g}")
+        picture(wall, shown(0.95 * share), f"a white wall, f/{f / pupil:g}")
+        corner = f"corner: {100 * share[0, 0]:.0f} %"
+        wall.set_xlabel(corner, fontsize=9, loc="left")
     ax.set(xlabel="from the middle (mm)", ylabel="light (%)", ylim=(0, 105), xlim=0)
     ax.legend(loc="lower left", fontsize=8)
     return fig
