@@ -42,7 +42,7 @@ def dolly_zoom_explorer() -> Explorer:
     return Explorer(
         "Dolly zoom",
         [
-            Slider("Z", "Distance", "Z", "m", 2, 25, FIRST_Z, step=0.1, digits=1),
+            Slider("Z", "Distance", "Z", "m", 2, 16, FIRST_Z, step=0.1, digits=1),
             Switch("coupled", "The focal length keeps the chart's size", True),
             Slider("f", "Focal length", "f", "mm", 14, 200, FIRST_F, step=0.5, digits=1),
         ],

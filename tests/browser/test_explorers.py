@@ -223,11 +223,11 @@ def test_choices_and_switches_change_the_picture(page):
     assert follower.is_disabled()
     dolly.get_by_role("slider", name="Distance Z").press("End")
     settle(dolly)
-    assert follower.get_attribute("aria-valuetext") == "175.0 mm"
+    assert follower.get_attribute("aria-valuetext") == "112.0 mm"
     dolly.get_by_role("checkbox").uncheck()
     settle(dolly)
     assert follower.is_enabled()
-    assert follower.get_attribute("aria-valuetext") == "175.0 mm"
+    assert follower.get_attribute("aria-valuetext") == "112.0 mm"
 
 
 def test_an_error_is_said_and_the_next_picture_clears_it(page):

@@ -119,6 +119,15 @@ def test_the_chart_keeps_its_size_and_the_tree_does_not():
     assert far.follows["f"] == pytest.approx(28 * 25 / 4)
 
 
+@pytest.mark.parametrize("Z", [4, 8, 12, 16])
+def test_the_tree_is_seen_beside_the_chart(Z):
+    frame = DOLLY(Z, 28, True)
+    chart, tree = (np.asarray(line.points) for line in frame.pictures[0].lines)
+    left_edge = frame.pictures[0].size[0] - 1 - chart[:, 0].max()
+    assert tree[:, 0].max() < left_edge
+    assert tree[:, 0].min() > 0
+
+
 def test_uncoupled_the_chart_shrinks_with_distance():
     near, far = DOLLY(5, 50, False), DOLLY(10, 50, False)
     chart = "Chart in the picture"

@@ -203,8 +203,8 @@ def test_camera_that_looks_up():
 def test_dolly_explorer_shows_what_the_text_says():
     values = {Z: [r.value for r in dolly_zoom_frame(Z, 28, True).readouts] for Z in (4.0, 12.0)}
     assert [values[Z][0] for Z in values] == ["112", "112"]
-    assert [values[Z][1] for Z in values] == ["41", "106"]
-    says("stays at 112 px", "from 41 px at $Z = 4$ m to 106 px at 12 m")
+    assert [values[Z][1] for Z in values] == ["88", "205"]
+    says("stays at 112 px", "from 88 px at $Z = 4$ m to 205 px at 12 m")
 
 
 def test_lens_that_sees_the_same_on_a_smaller_sensor():

@@ -150,7 +150,7 @@ def _curves(d: float, s: float, best: float) -> Picture:
             *AXES.ticks((0.1, 1), (0.1, 1)),
             *AXES.names("hole d in mm", "blur in mm"),
             Label("best", AXES.at(best, BLURS[1], 5, 22), "guide"),
-            Label("shadow", AXES.at(0.12, 0.085, 4, 0), "ray"),
-            Label("diffraction", AXES.at(1.1, 0.062, 0, 0), "image", "end"),
+            Label("shadow", AXES.at(2.3, 0.55), "ray", "end"),
+            Label("diffraction", AXES.at(0.054, 0.28), "image"),
         ),
     )

@@ -23,8 +23,8 @@ SENSOR = (36.0, 24.0)  # mm
 FIRST_Z, FIRST_F = 4.0, 28.0  # m, mm: the shot that the coupled lens keeps
 EYE_HEIGHT = 1.65  # m
 #: Foot and top of a staff beside the subject and of a tree far behind it, m in the world.
-SUBJECT = np.array([[CHART[0] - 0.72, CHART[1], z] for z in CHART_EDGES])
-TREE = np.array([[*TREES[2][:2], z] for z in (0, TREES[2][2])])
+SUBJECT = np.array([[CHART[0] + 0.72, CHART[1], z] for z in CHART_EDGES])
+TREE = np.array([[*TREES[1][:2], z] for z in (0, TREES[1][2])])
 
 NORTH_END = 60.0  # m: how far the map reaches
 MAP_SIZE = (220, 320)

@@ -144,7 +144,7 @@ def street_lines(camera: Camera, yours: ArrayLike | None = None) -> Figure:
     if drawn is not None:
         label = f"your function{_whereabouts(drawn, camera.image_size)}"
         ax.plot(*drawn, "*", color=ROLES["second"], ms=13, ls="", label=label)
-    ax.legend(loc="lower left", frameon=True, framealpha=0.9, handlelength=3)
+    ax.legend(loc="upper left", frameon=True, framealpha=0.9, handlelength=3)
     return fig
 
 
