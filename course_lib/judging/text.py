@@ -5,13 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from course_lib.judging.verdict import Feedback, PartVerdict, Verdict
 
 MARKS = {"right": "✓", "not attempted": "○"}
 WRONG = "✗"
-#: Numbers in a stack of pictures from which on only their shape and range are shown.
-LEGIBLE = 300
+#: Numbers in a picture from which on only its shape and range are shown.
+LEGIBLE = 60
 
 
 def mark(feedback: Feedback) -> str:
@@ -30,9 +31,8 @@ def format_value(value: Any) -> str:
         value = value.item()
     if isinstance(value, float):
         return f"{value:.6g}"
-    if isinstance(value, np.ndarray) and value.ndim > 2 and value.size > LEGIBLE:
-        range_ = f"from {value.min():.6g} to {value.max():.6g}"
-        return f"an array of shape {value.shape}, {value.dtype}, {range_}"
+    if isinstance(value, np.ndarray) and value.ndim > 1 and value.size > LEGIBLE:
+        return _outline(value)
     with np.printoptions(precision=5, suppress=True, threshold=24, edgeitems=3, linewidth=72):
         if isinstance(value, np.ndarray):
             return str(value)
@@ -40,6 +40,31 @@ def format_value(value: Any) -> str:
             return "(" + ", ".join(format_value(item) for item in value[:12]) + ")"
         text = repr(value)
     return text if len(text) <= 300 else text[:300] + " …"
+
+
+def _outline(array: NDArray[Any]) -> str:
+    """Write what a long array is like: its shape, type and range."""
+    text = f"an array of shape {array.shape}, {array.dtype}"
+    if array.dtype.kind not in "biuf":
+        return text
+    known = array[~np.isnan(array)] if array.dtype.kind == "f" else array
+    range_ = f"from {known.min():.6g} to {known.max():.6g}" if known.size else "NaN only"
+    return f"{text}, {range_}" + (", and some NaN" if 0 < known.size < array.size else "")
+
+
+def _largest_difference(got: Any, expected: Any) -> list[tuple[str, str]]:
+    """Return where a long answer is farthest from the expected one, as a labelled text."""
+    if not isinstance(got, np.ndarray) or not isinstance(expected, np.ndarray):
+        return []
+    numbers = {got.dtype.kind, expected.dtype.kind} <= set("iuf")
+    if not numbers or got.shape != expected.shape or got.ndim < 2 or got.size <= LEGIBLE:
+        return []
+    distance = np.abs(got.astype(float) - expected.astype(float))
+    distance[np.isnan(got) != np.isnan(expected)] = np.inf
+    distance[np.isnan(distance)] = 0  # NaN in both
+    place = tuple(int(i) for i in np.unravel_index(distance.argmax(), got.shape))
+    text = f"at {list(place)}: {got[place]:.6g} instead of {expected[place]:.6g}"
+    return [("largest difference", text)] if distance[place] > 0 else []
 
 
 def example_rows(feedback: Feedback) -> list[tuple[str, str]]:
@@ -51,6 +76,7 @@ def example_rows(feedback: Feedback) -> list[tuple[str, str]]:
         rows += [("your answer", format_value(feedback.got))]
     if feedback.expected is not None:
         rows += [("expected", format_value(feedback.expected))]
+        rows += _largest_difference(feedback.got, feedback.expected)
     return rows
 
 

@@ -46,8 +46,8 @@ def computed_raw() -> NDArray[np.uint16]:
 
 
 @figure(
-    "A brass nut: from the lens, behind a mosaic of red, green and blue "
-    "filters, and, where they are asked for, with guessed colours; empty where your function does not answer yet."
+    "A brass nut: from the lens, behind a mosaic of red, green and blue filters, and, where they "
+    "are asked for, with guessed colours; empty where your function does not answer yet."
 )
 def mosaic_and_back(
     light: ArrayLike,

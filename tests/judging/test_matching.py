@@ -1,0 +1,61 @@
+"""One mistake in several forms gets one hint, and chance does not hide a huge one."""
+
+import numpy as np
+import pytest
+
+from course_lib.judging import Exercise, Misconception, answer, judge, pose
+from course_lib.judging.matching import BothBeyond
+
+
+def scaled(values, factor):
+    """Return the values times a factor."""
+    return values * factor
+
+
+def divided(values, factor):
+    return values / factor
+
+
+def upside_down(values, factor):
+    return factor / values
+
+
+def huge(values, factor):
+    return 1e6
+
+
+def drawn(rng):
+    return {"values": float(rng.uniform(6, 9)), "factor": float(rng.uniform(2, 5))}
+
+
+EXERCISE = Exercise(
+    "demo",
+    scaled,
+    parts={"plain": drawn},
+    misconceptions=[
+        Misconception(divided, "Grow or shrink?", also=[upside_down]),
+        Misconception(huge, "So large?", compare=BothBeyond(1000)),
+    ],
+)
+
+
+@pytest.mark.parametrize(
+    ("function", "hints"),
+    [
+        (lambda values, factor: values / factor, ("Grow or shrink?",)),
+        (lambda values, factor: factor / values, ("Grow or shrink?",)),
+        (lambda values, factor: -3e5 * factor, ("So large?",)),
+        (lambda values, factor: values + factor, ()),
+        (lambda values, factor: np.full(3, 2e6), ()),
+        (lambda values, factor: values * factor, ()),
+    ],
+)
+def test_each_form_of_a_mistake_gets_its_hint(function, hints):
+    cases = pose(EXERCISE, 3)
+    assert judge(EXERCISE, cases, answer(EXERCISE, function, cases)).hints == hints
+
+
+def test_the_name_is_that_of_the_first_form():
+    cases = pose(EXERCISE, 3)
+    found = judge(EXERCISE, cases, answer(EXERCISE, upside_down, cases))
+    assert found.misconceptions == ("divided",)

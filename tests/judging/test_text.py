@@ -1,0 +1,59 @@
+"""What was tried, as text: short arrays in full, long ones by shape, range and worst place."""
+
+import numpy as np
+import pytest
+
+from course_lib.judging import Case
+from course_lib.judging.text import example_rows, format_value
+from course_lib.judging.verdict import Feedback
+
+LONG = np.arange(120.0).reshape(10, 12)
+
+
+def rows(got, expected, **inputs):
+    """Return the labelled texts of a wrong answer."""
+    return dict(example_rows(Feedback("values", "Wrong.", Case("part", inputs), got, expected)))
+
+
+def test_a_short_array_is_written_in_full():
+    short = np.arange(24).reshape(4, 6)
+    assert format_value(short) == str(short)
+    assert "largest difference" not in rows(short + 1, short)
+
+
+@pytest.mark.parametrize(
+    ("array", "text"),
+    [
+        (LONG, "an array of shape (10, 12), float64, from 0 to 119"),
+        (LONG.astype(np.uint16), "an array of shape (10, 12), uint16, from 0 to 119"),
+        (LONG > 7, "an array of shape (10, 12), bool, from 0 to 1"),
+        (
+            np.where(LONG > 7, LONG, np.nan),
+            "an array of shape (10, 12), float64, from 8 to 119, and some NaN",
+        ),
+        (LONG * np.nan, "an array of shape (10, 12), float64, NaN only"),
+    ],
+)
+def test_a_long_array_is_written_by_shape_and_range(array, text):
+    assert format_value(array) == text
+
+
+def test_the_largest_difference_is_named_with_its_place():
+    got = LONG + 0.5
+    got[3, 4] = -7
+    found = rows(got, LONG, image=LONG)
+    assert found["largest difference"] == "at [3, 4]: -7 instead of 40"
+    assert all("\n" not in text for text in found.values())
+
+
+def test_a_number_that_should_be_none_is_the_largest_difference():
+    truth = LONG.copy()
+    truth[2, 1] = np.nan
+    assert rows(LONG + 1, truth)["largest difference"] == "at [2, 1]: 26 instead of nan"
+
+
+@pytest.mark.parametrize("got", [LONG[:5], None, "text", 3.0, LONG, LONG > 3])
+def test_what_cannot_be_compared_place_by_place_does_no_harm(got):
+    found = rows(got, LONG)
+    assert found["expected"] == format_value(LONG)
+    assert "largest difference" not in found
