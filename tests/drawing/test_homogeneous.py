@@ -20,7 +20,7 @@ from course_lib.drawing.style import ROLES
 
 PLAN = transforms.cv_from_graphics_camera(draw.FROM_BLENDER)
 SECOND = Camera(draw.K, *PLAN, draw.SIZE)
-PAIRS = np.array([[3, 2], [1.5, 1], [-1, 0.5], [1, 0.25], [2, 0]])
+PAIRS = np.array([[3, 2], [1.5, 1], [-1, 0.5], [1, 0.25], [2, 0], [-3, -0.5]])
 ANGLES = np.radians([60, 120, 180])
 TURNS = [transforms.rotation_about_axis(draw.HINGES, angle) for angle in ANGLES]
 
@@ -191,6 +191,24 @@ def test_the_house_stands_where_its_corners_are():
     patches = np.concatenate([p.corners for p in site.renderer().scene.patches])
     for corner in draw.HOUSE:
         assert np.linalg.norm(patches - corner, axis=1).min() < 0.05, corner
+
+
+@pytest.mark.parametrize(
+    ("way", "words"), [(0.0, None), (2000.0, "outside of the picture"), (np.nan, "all nan")]
+)
+def test_answers_that_would_vanish_are_announced(way, words):
+    first, R = draw.first_camera(), SECOND.R
+    ray = np.array([first.centre, first.pixel_ray((622, 94))]) + way * np.array([R[0], 0 * R[0]])
+    drawn = [
+        draw.wire(SECOND, yours=SECOND.project(draw.HOUSE) + way).axes[0],
+        draw.street_map([SECOND], centres=[SECOND.centre + way]).axes[0],
+    ]
+    if np.isfinite(way):
+        drawn.append(draw.one_ray((622, 94), first, SECOND, yours=ray).axes[1])
+    for ax in drawn:
+        said = [text.get_text() for text in ax.texts if "your points" in text.get_text()]
+        assert len(said) == (words is not None)
+        assert not words or words in said[0]
 
 
 def test_the_wire_is_the_students():

@@ -181,13 +181,14 @@ def split_by_axis(angle_deg: float = 110.0) -> Figure:
     Returns
     -------
     Figure
-        Axis, vector, its two parts, and the vector after the turn.
+        Axis, vector, its two parts and the vector after the turn; the circle from above.
     """
     n, X = np.array([0.0, 0, 1]), np.array([-0.8, -0.45, 0.9])
     along, R = n * (n @ X), rotation_about_axis(n, np.radians(angle_deg))
     view = onlooker((3.0, -4.4, 2.3), (0.0, 0.0, 0.55), 1180)
-    fig, ax = panels(1, 1, (6.4, 3.9))
+    fig, (ax, above) = panels(1, 2, (FULL_WIDTH, 3.7), width_ratios=(3, 2))
     sketch(ax)
+    _circle_from_above(sketch(above, "the circle, seen from above"), angle_deg)
     reach = np.linalg.norm(X - along)
     show_path(ax, view, along + reach * _ring(n), "guide", lw=1, ls=(0, (4, 3)))
     show_arrow(ax, view, 0 * n, 1.5 * n, "camera")
@@ -202,6 +203,26 @@ def split_by_axis(angle_deg: float = 110.0) -> Figure:
     write(ax, view.project(0.6 * along + 0.62 * middle), "turns", "image")
     ax.set(xlim=(60, 580), ylim=(400, 20))
     return fig
+
+
+def _circle_from_above(ax: Axes, angle_deg: float) -> None:
+    """Draw the part across the axis, n × X, and what of both the turned part is made of."""
+    angle = np.radians(angle_deg)
+    c, s = np.cos(angle), np.sin(angle)
+    stroke(ax, _ring(np.array([0.0, 0, 1]))[:, :2], "guide", lw=1)
+    for tip, role, name, place in (
+        ((1, 0), "image", "across", (1.12, -0.16)),
+        ((0, 1), "camera", r"$n \times X$", (0.34, 1.12)),
+        ((c, s), "image", "turned", (1.24 * c - 0.08, 1.15 * s)),
+    ):
+        look = {"arrowstyle": "-|>", "color": ROLES[role], "lw": 2, "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", xy=tip, xytext=(0, 0), arrowprops=look)
+        write(ax, place, name, role)
+    stroke(ax, np.array([(0, 0), (c, 0)]), "image", lw=5)
+    stroke(ax, np.array([(c, 0), (c, s)]), "camera", lw=5)
+    write(ax, (c / 2, -0.17), r"$\cos\theta$", "image")
+    write(ax, (c - 0.27, s / 2), r"$\sin\theta$", "camera")
+    fit(ax, -1.5, 1.5, -1.2, 1.35)
 
 
 @figure(
@@ -232,8 +253,8 @@ def gimbal_lock(tilts_deg: Sequence[float] = (20.0, 90.0)) -> Figure:
         )
         for name, axis, radius, role in turns:
             show_path(ax, view, radius * _ring(axis), role, lw=3)
-            show_arrow(ax, view, 0 * axis, 1.3 * axis, role)
-            shift = 1.55 if name == "roll" and abs(axis[2]) > 0.99 else 1.42
+            show_arrow(ax, view, 0 * axis, (1.0 if name == "roll" else 1.3) * axis, role)
+            shift = 1.12 if name == "roll" else 1.42
             write(ax, view.project(shift * axis) + _aside(name, axis), name, role)
         ax.set(xlim=(60, 580), ylim=(470, 10))
     return fig
@@ -241,7 +262,7 @@ def gimbal_lock(tilts_deg: Sequence[float] = (20.0, 90.0)) -> Figure:
 
 def _aside(name: str, axis: Floats) -> Floats:
     """Keep the names of two axes apart where they lie on one line."""
-    return np.array([52.0, 34.0]) if name == "roll" and abs(axis[2]) > 0.99 else np.zeros(2)
+    return np.array([46.0, 12.0]) if name == "roll" and abs(axis[2]) > 0.99 else np.zeros(2)
 
 
 def _ring(axis: Floats) -> Floats:

@@ -58,7 +58,9 @@ def points_on_rays(points: ArrayLike, yours: ArrayLike | None = None) -> Figure:
     ax.axhline(1, color=ROLES["image"], lw=2)
     for (x, w), place in zip(points, expected[:, 0], strict=True):
         end = np.array([x, w]) if np.isnan(place) else max(w, 1.0) * np.array([place, 1])
-        stroke(ax, np.array([0 * end, 1.08 * end]), "ray", lw=1.2)
+        # A point with w < 0 lies on the same line through the origin, on its other side.
+        start = np.array([x, w]) if w < 0 else 0 * end
+        stroke(ax, np.array([1.08 * start, 1.08 * end]), "ray", lw=1.2)
         ax.plot(x, w, "o", color=ROLES["object"], ms=7, zorder=3)
         ha, beside = ("left", x + 0.06) if x > 0 else ("right", x - 0.08)
         write(ax, (beside, w - 0.1), f"({x:g}, {w:g})", "object", ha=ha, fontsize=10)
@@ -69,7 +71,7 @@ def points_on_rays(points: ArrayLike, yours: ArrayLike | None = None) -> Figure:
         ax.plot(there, 1 + 0 * there, "*", color=ROLES["second"], ms=11, label="your function")
         ax.legend(loc="upper left", frameon=True)
     ax.plot(0, 0, "o", color=BLACK, ms=7)
-    ax.set(xlabel="x (no unit)", ylabel="w (no unit)", ylim=(-0.25, 2.45))
+    ax.set(xlabel="x (no unit)", ylabel="w (no unit)", ylim=(-0.85, 2.45))
     write(ax, (ax.get_xlim()[1], 1.1), "w = 1", "image", ha="right")
     return fig
 

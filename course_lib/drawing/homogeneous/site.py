@@ -62,6 +62,19 @@ def photograph(camera: Camera) -> NDArray[np.uint8]:
     return renderer().picture(camera)
 
 
+def say_where_lost(ax: Axes, points: Floats, at: tuple[float, float] = (0.5, 0.06)) -> None:
+    """Say so where a student's points exist, but none of them is on the page."""
+    (left, right), (bottom, top) = sorted(ax.get_xlim()), sorted(ax.get_ylim())
+    there = points[np.isfinite(points).all(axis=1)]
+    inside = (there >= (left, bottom)) & (there <= (right, top))
+    if inside.all(axis=1).any():
+        return
+    words = "your points are outside of the picture" if len(there) else "your points are all nan"
+    look: dict[str, Any] = {"ha": "center", "color": BLACK, "fontweight": "bold"}
+    paper = {"facecolor": "white", "edgecolor": "none", "alpha": 0.9, "pad": 2}
+    ax.text(*at, words, transform=ax.transAxes, bbox=paper, **look)
+
+
 def usable_pose(pose: object) -> tuple[Floats, Floats] | None:
     """Return a student's pose if a picture can be taken with it, and None otherwise."""
     if not isinstance(pose, (tuple, list)) or len(pose) != 2:
@@ -178,6 +191,8 @@ def street_map(
     ax.set(
         xlabel="x, east (m)", ylabel="y, north (m)", xlim=(-16, 12), ylim=(3, 36), aspect="equal"
     )
+    if len(there):
+        say_where_lost(ax, there, at=(0.5, 0.95))
     return fig
 
 

@@ -49,11 +49,15 @@ def _both_ways(ax: Axes, view: Camera, world: Floats, centre: Floats) -> None:
     """Draw C and t side by side, as they lie on one line."""
     a, b = view.project(world), view.project(centre)
     across = np.array([a[1] - b[1], b[0] - a[0]]) / np.linalg.norm(b - a)
-    for start, end, name, role, side in ((a, b, "$C$", "object", 5), (b, a, "$t$", "second", -5)):
+    ways = (
+        (a, b, "$C$, counted along\nthe world's X, Y, Z", "object", 5, "left"),
+        (b, a, "$t$, counted along\nthe camera's x, y, z", "second", -5, "right"),
+    )
+    for start, end, name, role, side, ha in ways:
         shift = side * across
         arrow = {"arrowstyle": "-|>", "color": ROLES[role], "lw": 2, "shrinkA": 6, "shrinkB": 6}
         ax.annotate("", xy=tuple(end + shift), xytext=tuple(start + shift), arrowprops=arrow)
-        write(ax, (a + b) / 2 + 3.4 * shift, name, fontsize=15)
+        write(ax, (a + b) / 2 + 5 * shift, name, ha=ha, fontsize=11)
 
 
 @figure(
@@ -171,7 +175,10 @@ def _mount(ax: Axes, view: Camera, mount: Floats, axes: dict[str, Floats]) -> No
     show_path(ax, view, np.array([mount - (0, 0, 0.5), mount]), "guide", lw=6)
     for name, axis in axes.items():
         show_arrow(ax, view, mount, mount + axis, "image")
-        write(ax, view.project(mount + 1.13 * axis) + np.array([-34.0, 6]), name, "image")
+        place = view.project(mount + 1.05 * axis)
+        level = abs(axis[2]) < 0.5
+        aside = np.array([-8.0, 12.0]) if level else np.array([-14.0, 0.0])
+        write(ax, place + aside, name, "image", ha="right", va="top" if level else "center")
     ax.plot(*view.project(mount), "o", color=BLACK, ms=8)
     write(ax, view.project(mount) + np.array([-14.0, 8]), "mount", ha="right")
 

@@ -14,6 +14,7 @@ from course_lib.drawing.homogeneous.site import (
     HOUSE,
     HOUSE_EDGES,
     photograph,
+    say_where_lost,
     show_view,
 )
 from course_lib.drawing.style import BLACK, FULL_WIDTH, ROLES
@@ -55,6 +56,7 @@ def wire(camera: Camera, yours: ArrayLike | None = None) -> Figure:
             look = {"lw": 2.5} if front else {"lw": 1.2, "ls": (0, (4, 3))}
             ax.plot(*drawn[[start, end]].T, color=ROLES["second"], **look)
         ax.plot([], [], color=ROLES["second"], lw=2.5, label="your function")
+        say_where_lost(ax, drawn, at=(0.5, 0.94))
     ax.legend(loc="lower right", frameon=True, framealpha=0.9)
     return fig
 
@@ -78,11 +80,11 @@ def columns_of(P: ArrayLike | None, camera: Camera) -> Figure:
     Figure
         Lines from the image of the origin through that of each axis to its vanishing point.
     """
-    fig, ax = panels(1, 1, (FULL_WIDTH, 6.2))
+    fig, ax = panels(1, 1, (FULL_WIDTH, 7.6))
     w, h = camera.image_size
     ax.imshow(photograph(camera), extent=(-0.5, w - 0.5, h - 0.5, -0.5))
     picture_frame(ax, camera.image_size)
-    ax.set(xlim=(-300, w + 300), ylim=(h + 640, -70))
+    ax.set(xlim=(-120, w + 270), ylim=(h + 640, -60))
     drawn = same_shape(P, np.zeros((3, 4)))
     if drawn is None or not np.isfinite(drawn).all():
         write(ax, (w / 2, h + 300), "no camera matrix yet", "guide")
@@ -177,7 +179,9 @@ def one_ray(
     axes[1].plot(*truth.T, "o", color=BLACK, mfc="none", ms=11)
     ray = same_shape(yours, np.zeros((2, 3)))
     if ray is not None and np.isfinite(ray).all():
-        axes[1].plot(*second.project(ray[0] + steps * ray[1]).T, "*-", color=ROLES["second"], ms=10)
+        stars = second.project(ray[0] + steps * ray[1])
+        axes[1].plot(*stars.T, "*-", color=ROLES["second"], ms=10)
+        say_where_lost(axes[1], stars)
     for (u, v), distance in zip(truth, distances, strict=True):
         write(axes[1], (u - 16, v + 34), f"{distance:g} m", fontsize=9, bbox=PAPER, ha="right")
     return fig

@@ -190,8 +190,9 @@ def offset_forgotten(pan, tilt, mount, offset):
 
 
 def matrix_of_the_placement(pan, tilt, mount, offset):
-    return _matrix(*camera_to_world(pan, tilt, mount, offset))
+    R_camera = _about_z(pan) @ _about_x(tilt) @ _LEVEL
+    return _matrix(R_camera, mount + R_camera @ offset)
 
 
 def matrix_of_the_pose(pan, tilt, mount, offset):
-    return _matrix(*_inverse(*camera_to_world(pan, tilt, mount, offset)))
+    return _matrix(*_from_axes(_about_z(pan) @ _about_x(tilt) @ _LEVEL, mount, offset))
