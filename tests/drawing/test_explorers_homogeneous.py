@@ -118,6 +118,9 @@ def test_parallel_lines_meet_at_infinity_in_their_direction():
     point = value(frame, "They meet in").value
     assert point == "(2, 1, 0)"
     assert value(frame, "In the plane").value == "at infinity, direction (2, 1)"
+    arrows = [np.asarray(line.points) for line in frame.pictures[0].lines[-2:]]
+    ways = [(arrow[1] - arrow[0]) / np.abs(arrow[1, 0] - arrow[0, 0]) for arrow in arrows]
+    np.testing.assert_allclose(sorted(map(tuple, ways)), [(-1, 0.5), (1, -0.5)])  # v points down
 
 
 def test_one_line_twice_meets_everywhere():

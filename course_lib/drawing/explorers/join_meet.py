@@ -20,7 +20,7 @@ SCALE = 36.0  # px a unit
 ORIGIN = (np.array(PLANE_SIZE) - 1) / 2
 SHEET = np.array([[-2.4, -1.8], [2.4, -1.8], [2.4, 1.8], [-2.4, 1.8]])  # drawn of the plane w = 1
 NUMBER = 49  # points of a circle
-RADIUS = 0.6  # of the sphere: any does, as only directions count
+RADIUS = 0.85  # of the sphere: any does, as only directions count
 WORLD_FROM_HOMOGENEOUS = np.array([[0.0, 0, 1], [-1, 0, 0], [0, 1, 0]])  # w forward, y up
 
 
@@ -81,7 +81,10 @@ def _plane(lines: Floats, point: Floats, words: str) -> Picture:
         Label(f"line {name}", _pair(_on_page(_name_place(line, side))), role, "middle")
         for line, name, role, side in zip(lines, "lm", ("camera", "image"), (-1, 1), strict=True)
     ]
-    strokes += [_arrow(point)] if _outside(point) else [_dot(point)] if point[2] else []
+    if _outside(point):  # a point at infinity lies in both directions
+        strokes += [_arrow(point)] if point[2] else [_arrow(point), _arrow(-point)]
+    elif point[2]:
+        strokes += [_dot(point)]
     return Picture(
         "The plane",
         f"Two lines in a plane, {_slope(lines[0])} and {_slope(lines[1])}. They meet {words}.",
@@ -233,7 +236,7 @@ def _still_life() -> tuple[Line, ...]:
     return (
         Line(_seen(sheet), "guide", 1.0, closed=True, fill=0.12),
         Line(_seen(RADIUS * outline), "guide", 1.0, closed=True, fill=0.1),
-        Line(_seen(equator), "ray", 2.2),
+        Line(_seen(equator), "second", 2.8),
         _mark(np.zeros(3)),
     )
 
