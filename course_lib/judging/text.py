@@ -33,7 +33,11 @@ def format_value(value: Any) -> str:
         return f"{value:.6g}"
     if isinstance(value, np.ndarray) and value.ndim > 1 and value.size > LEGIBLE:
         return _outline(value)
-    with np.printoptions(precision=5, suppress=True, threshold=24, edgeitems=3, linewidth=72):
+    whole = isinstance(value, np.ndarray) and value.dtype.kind in "iu" and value.ndim > 1
+    threshold = LEGIBLE if whole else 24
+    with np.printoptions(
+        precision=5, suppress=True, threshold=threshold, edgeitems=3, linewidth=72
+    ):
         if isinstance(value, np.ndarray):
             return str(value)
         if isinstance(value, tuple | list):

@@ -16,7 +16,10 @@ def rows(got, expected, **inputs):
 
 
 def test_a_short_array_is_written_in_full():
-    short = np.arange(24).reshape(4, 6)
+    short = np.arange(54).reshape(6, 9)
+    assert "..." not in format_value(short)
+    assert format_value(short[:4, :6]) == str(short[:4, :6])
+    short = short[:4, :6]
     assert format_value(short) == str(short)
     assert "largest difference" not in rows(short + 1, short)
 
