@@ -16,7 +16,7 @@ Floats = NDArray[np.float64]
 
 SIZE = (480, 360)
 VIEW_SIZE = (400, 360)
-DEPTH = 9.0  # m: how far the frustum is drawn
+DEPTH = 5.0  # m: how far the frustum is drawn
 AXIS = 2.0  # m: how long the camera's axes are drawn
 #: The bulb of the first street lamp, m in the world.
 LAMP = np.array([2.7, 9.0, 4.94])
