@@ -162,19 +162,19 @@ def shaded(rng: Generator, shape: tuple[int, ...]) -> Known:
 
 
 def shaded_greys(rng: Generator) -> Known:
-    return shaded(rng, (6, 8))
+    return shaded(rng, (3, 5))
 
 
 def shaded_colours(rng: Generator) -> Known:
-    return shaded(rng, (5, 6, 3))
+    return shaded(rng, (3, 4, 3))
 
 
 def raw_numbers(rng: Generator) -> Inputs:
     """Draw unsigned numbers; in the shadows, noise takes some of them below the dark picture."""
-    known = shaded(rng, (6, 8)).inputs
+    known = shaded(rng, (4, 5)).inputs
     numbers = {name: np.rint(picture * 4).astype(np.uint16) for name, picture in known.items()}
-    places = rng.permutation(numbers["image"].size)[:6]
-    numbers["image"].flat[places] = numbers["dark"].flat[places] - rng.integers(1, 6, 6)
+    places = rng.permutation(numbers["image"].size)[:4]
+    numbers["image"].flat[places] = numbers["dark"].flat[places] - rng.integers(1, 6, 4)
     return numbers
 
 
@@ -184,7 +184,7 @@ def raw_numbers(rng: Generator) -> Inputs:
 def silhouetted(rng: Generator, pixel_size: Any) -> Known:
     """Put dark pixels before a bright field; some pixels hold the threshold itself."""
     threshold = int(rng.integers(6, 11))
-    image = rng.integers(threshold, 16, (8, 9))
+    image = rng.integers(threshold, 16, (6, 9))
     count = int(rng.integers(12, 30))
     places = rng.permutation(image.size)
     image.flat[places[:count]] = rng.integers(0, threshold, count)
