@@ -126,7 +126,7 @@ def ground(outlines: list[Array], rng: np.random.Generator) -> list[Patch]:
     """Return the ground: the street in detail near by and coarser farther away, and meadows."""
     near = painted_ground((-12, -8, 12, 32), 32, outlines, rng)
     middle = painted_ground((-12, 32, 12, STREET_END), 8, outlines, rng)
-    plain = [(-FAR, -60, -12, FAR), (12, -60, FAR, FAR), (-12, -60, 12, -8)]
+    plain = [(-FAR, -FAR, -12, FAR), (12, -FAR, FAR, FAR), (-12, -FAR, 12, -8)]
     north = [
         (-12, STREET_END, -ROAD, FAR, GRASS),
         (-ROAD, STREET_END, ROAD, FAR, ASPHALT),

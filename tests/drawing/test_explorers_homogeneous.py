@@ -172,3 +172,11 @@ def test_every_state_can_be_drawn_and_says_so(slopes, heights):
         for label in picture.labels:
             assert (np.array(label.at) >= 0).all()
             assert (np.array(label.at) <= picture.size).all()
+
+
+@pytest.mark.parametrize("pan", [90, 180, -90])
+def test_the_meadow_reaches_the_hills_on_all_sides(pan):
+    column = WHOLE(**state(pan=pan)).pictures[0].image[:, 300].astype(int)
+    green = column[:, 1] > column[:, 2] + 30
+    start = int(np.argmax(green))
+    assert green[start : start + 60].all()
