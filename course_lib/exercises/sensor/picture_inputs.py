@@ -22,7 +22,7 @@ SHARES = np.array([0.08, 0.18, 0.3, 0.42, 0.55])
 def pairs(rng: Generator, shares: Any) -> Known:
     """Take pairs of pictures with a camera whose gain we choose.
 
-    The surface is not quite even and the pixels differ: 4 %, the same in both pictures of a pair.
+    The surface is not quite even and the pixels differ: 14 %, the same in both pictures of a pair.
     """
     sensor = SensorModel(
         quantum_efficiency=0.6,
@@ -33,7 +33,7 @@ def pairs(rng: Generator, shares: Any) -> Known:
         offset=float(rng.integers(90, 140)),
         bits=10,
     )
-    uneven = 1 + 0.04 * rng.standard_normal(PIXELS)
+    uneven = 1 + 0.14 * rng.standard_normal(PIXELS)
     levels = np.asarray(shares) * sensor.saturation / sensor.quantum_efficiency
     photons = levels[:, None, None] * uneven
     dark = np.zeros(PIXELS)

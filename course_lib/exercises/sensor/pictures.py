@@ -25,6 +25,7 @@ CAMERA_GAIN_FROM_PAIRS = Exercise(
             gain_wrong.difference_not_halved,
             "A difference of two pictures holds the noise of both. How many times one variance "
             "is that?",
+            compare=Close(rtol=0.04, atol=0),
         ),
         Misconception(
             gain_wrong.dark_not_subtracted,
@@ -49,6 +50,7 @@ CAMERA_GAIN_FROM_PAIRS = Exercise(
         Misconception(
             gain_wrong.electrons_per_number,
             "DN per electron is asked for. Which unit does your number have?",
+            compare=Close(rtol=0.04, atol=0),  # other mistakes come near by chance
         ),
         Misconception(
             gain_wrong.deviation_for_variance,
