@@ -247,7 +247,7 @@ def test_python_moves_the_page(page, lab, lab_page):
         lab.folder / "driven.ipynb",
         "from course_lib.widgets.pinhole import *\ndriven = dolly_zoom_explorer()\ndriven",
         "driven",
-        "driven.set(Z=20, coupled=False, f=50)",
+        "driven.set(Z=12, coupled=False, f=50)",
     )
     driven = lab_page(path)
     assert run_all_cells(driven) == []
@@ -255,8 +255,8 @@ def test_python_moves_the_page(page, lab, lab_page):
     assert sliders.count() == 2  # two views of one explorer
     for root in driven.get_by_role("region", name="Dolly zoom").all():
         settle(root)
-        assert root.get_by_role("slider").first.get_attribute("aria-valuetext") == "20.0 m"
+        assert root.get_by_role("slider").first.get_attribute("aria-valuetext") == "12.0 m"
     driven.get_by_role("slider", name="Distance Z").first.press("ArrowRight")
     for root in driven.get_by_role("region", name="Dolly zoom").all():
         settle(root)
-        assert root.get_by_role("slider").first.get_attribute("aria-valuetext") == "20.1 m"
+        assert root.get_by_role("slider").first.get_attribute("aria-valuetext") == "12.1 m"
