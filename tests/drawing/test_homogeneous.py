@@ -1,15 +1,12 @@
 """The figures of chapter 02: each draws, says what it shows, and shows the right thing."""
 
-import re
-
 import matplotlib as mpl
 import numpy as np
 import pytest
+from legible import Legible
 
 mpl.use("Agg")  # as a test has no screen
 
-import matplotlib.pyplot as plt
-from matplotlib.colors import to_rgb
 
 from course_lib import homogeneous, transforms
 from course_lib.camera import Camera
@@ -62,44 +59,12 @@ def lines(figure, role):
     return [np.asarray(line.get_xydata()) for line in found]
 
 
+class TestEachFigure(Legible):
+    UNITS = ("px", "mm", "m", "no unit")
+
+
 def test_every_function_is_tried_here():
     assert set(FIGURES) | NO_FIGURES == set(draw.__all__)
-
-
-def test_is_shown_once_and_has_a_text_alternative(figure):
-    assert not plt.get_fignums()
-    assert len(figure.description) > 40
-    assert figure.description.endswith(".")
-
-
-def test_axes_with_numbers_have_labels_with_units(figure):
-    for ax in figure.axes:
-        if ax.axison and len(ax.get_xticks()):
-            for label in (ax.get_xlabel(), ax.get_ylabel()):
-                assert re.search(r"\((px|mm|m|no unit)\)", label), f"{label!r} has no unit"
-
-
-def test_no_text_runs_out_of_the_figure(figure):
-    frame = figure.bbox
-    for text in (text for ax in figure.axes for text in ax.texts if text.get_text()):
-        box = text.get_window_extent()
-        assert frame.x0 <= box.x0 < box.x1 <= frame.x1, text.get_text()
-        assert frame.y0 <= box.y0 < box.y1 <= frame.y1, text.get_text()
-
-
-def test_no_two_texts_overlap(figure):
-    for ax in figure.axes:
-        boxes = [(t.get_text(), t.get_window_extent()) for t in ax.texts if t.get_text()]
-        for k, (first, box) in enumerate(boxes):
-            for second, other in boxes[k + 1 :]:
-                assert not box.overlaps(other), f"{first!r} and {second!r}"
-
-
-def test_text_is_dark_enough_to_read(figure):
-    for ax in figure.axes:
-        for text in ax.texts:
-            red, green, blue = to_rgb(text.get_color())
-            assert 0.2126 * red + 0.7152 * green + 0.0722 * blue < 0.55, text.get_text()
 
 
 @pytest.mark.parametrize("yours", [None, "left", [1, 2], np.full((3, 3), np.nan), {}])

@@ -1,16 +1,12 @@
 """The figures of chapter 03: each draws, says what its axes are, and shows the right thing."""
 
-import re
-
 import matplotlib as mpl
 import numpy as np
 import pytest
+from legible import Legible
 
 mpl.use("Agg")  # as a test has no screen
 
-import matplotlib.pyplot as plt
-from matplotlib.colors import to_rgb
-from matplotlib.figure import Figure
 from scipy.signal import fftconvolve
 
 from course_lib import optics
@@ -18,7 +14,6 @@ from course_lib.drawing import lenses as draw
 from course_lib.drawing.lenses import views
 from course_lib.drawing.style import BLACK, ROLES
 
-UNIT = re.compile(r"\((px|mm|m|%|no unit)\)")
 FIGURES = {
     "airy_on_pixels": draw.airy_on_pixels,
     "aperture_branches": lambda: draw.aperture_branches(yours=(20, 1200)),
@@ -50,51 +45,12 @@ def figure(request):
     return drawn
 
 
+class TestEachFigure(Legible):
+    UNITS = ("px", "mm", "m", "%", "no unit")
+
+
 def test_every_function_is_tried_here():
     assert {name.split()[0] for name in FIGURES} == set(draw.__all__)
-
-
-def test_is_shown_once_and_leaves_nothing_open(figure):
-    assert isinstance(figure, Figure)
-    assert not plt.get_fignums()
-
-
-def test_says_in_a_sentence_what_it_shows(figure):
-    assert re.fullmatch(r"[A-Zf][^{}]+\.", figure.description)
-
-
-def test_axes_with_numbers_have_labels_with_units(figure):
-    for ax in figure.axes:
-        if ax.axison:
-            for label, ticks in (
-                (ax.get_xlabel(), ax.get_xticks()),
-                (ax.get_ylabel(), ax.get_yticks()),
-            ):
-                assert not len(ticks) or re.search(r"\((px|mm|m|%|no unit)\)", label), label
-
-
-def test_no_text_runs_out_of_the_figure(figure):
-    frame = figure.bbox
-    texts = [text for ax in figure.axes for text in ax.texts if text.get_text()]
-    for text in texts:
-        box = text.get_window_extent()
-        assert frame.x0 <= box.x0 < box.x1 <= frame.x1, text.get_text()
-        assert frame.y0 <= box.y0 < box.y1 <= frame.y1, text.get_text()
-
-
-def test_no_two_texts_overlap(figure):
-    for ax in figure.axes:
-        boxes = [(t.get_text(), t.get_window_extent()) for t in ax.texts if t.get_text()]
-        for k, (first, box) in enumerate(boxes):
-            for second, other in boxes[k + 1 :]:
-                assert not box.overlaps(other), f"{first!r} and {second!r}"
-
-
-def test_text_is_dark_enough_to_read(figure):
-    for ax in figure.axes:
-        for text in ax.texts:
-            red, green, blue = to_rgb(text.get_color())
-            assert 0.2126 * red + 0.7152 * green + 0.0722 * blue < 0.6, text.get_text()
 
 
 @pytest.mark.parametrize("yours", [None, "left", [1, 2, 3, 4], np.full(2, np.nan), {}, (1, -5)])

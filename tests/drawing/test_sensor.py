@@ -1,16 +1,12 @@
 """The figures of chapter 04: each draws, says what its axes are, and shows the right thing."""
 
-import re
-
 import matplotlib as mpl
 import numpy as np
 import pytest
+from legible import Legible
 
 mpl.use("Agg")  # as a test has no screen
 
-import matplotlib.pyplot as plt
-from matplotlib.colors import to_rgb
-from matplotlib.figure import Figure
 from skimage.data import camera, clock
 
 from course_lib import illumination, sensor
@@ -73,7 +69,6 @@ NO_FIGURES = {
     "street_light",
     "stripe_scan",
 }
-UNIT = r"\((px|mm|nm|s|h|DN|DN²|%|share|share in %|number|ratio|relative|no unit|ms)\)"
 
 
 @pytest.fixture(scope="module", params=FIGURES)
@@ -83,45 +78,17 @@ def figure(request):
     return drawn
 
 
+class TestEachFigure(Legible):
+    UNITS = (
+        *("px", "mm", "nm", "s", "ms", "h", "DN", "DN²", "%", "share", "share in %"),
+        *("number", "ratio", "relative", "no unit"),
+    )
+    WHITE_ON_DARK = True
+    SLANTED = True
+
+
 def test_every_function_is_tried_here():
     assert set(FIGURES) | NO_FIGURES == set(draw.__all__)
-
-
-def test_is_shown_once_described_and_well_labelled(figure):
-    assert isinstance(figure, Figure)
-    assert not plt.get_fignums()
-    assert figure.description.endswith(".")
-    assert not figure.description.startswith("Show")
-    for ax in figure.axes:
-        labels = [(ax.get_xlabel(), ax.get_xticks()), (ax.get_ylabel(), ax.get_yticks())]
-        for label, ticks in labels:
-            if ax.axison and len(ticks) and label:
-                assert re.search(UNIT, label), f"{label!r} has no unit"
-
-
-def test_no_text_runs_out_of_the_figure(figure):
-    frame = figure.bbox
-    for text in (text for ax in figure.axes for text in ax.texts if text.get_text()):
-        box = text.get_window_extent()
-        assert frame.x0 <= box.x0 < box.x1 <= frame.x1, text.get_text()
-        assert frame.y0 <= box.y0 < box.y1 <= frame.y1, text.get_text()
-
-
-def test_no_two_texts_overlap(figure):
-    for ax in figure.axes:
-        texts = [t for t in ax.texts if t.get_text() and not t.get_rotation()]
-        boxes = [(t.get_text(), t.get_window_extent()) for t in texts]
-        for k, (first, box) in enumerate(boxes):
-            for second, other in boxes[k + 1 :]:
-                assert not box.overlaps(other), f"{first!r} and {second!r}"
-
-
-def test_text_on_white_is_dark_enough_to_read(figure):
-    for ax in figure.axes:
-        for text in ax.texts:
-            red, green, blue = to_rgb(text.get_color())
-            light = 0.2126 * red + 0.7152 * green + 0.0722 * blue
-            assert light < 0.55 or text.get_color() == "white", text.get_text()
 
 
 @pytest.mark.parametrize("yours", [None, "left", [1, 2], {}, np.nan])

@@ -97,7 +97,7 @@ def principal_planes(f1: float = 50.0, f2: float = -30.0, d: float = 30.0) -> Fi
         _glass(ax, x, lens)
         write(ax, (x, 15.2), f"{lens:g} mm".replace("-", "−"), "camera")
     stroke(ax, [(plane, -13), (plane, 13)], "second", lw=1.8, ls=(0, (5, 3)))
-    write(ax, (plane, 15.2), "$H'$", "second")
+    write(ax, (plane, 15.2), "$H'$")
     ax.plot(focus, 0, "o", color=BLACK, ms=7, zorder=5)
     write(ax, (focus, 2.5), "$F'$")
     dimension(ax, (plane, -16), (focus, -16), f"f = {f:.0f} mm")
