@@ -1,10 +1,10 @@
 """The numbers that the text of chapter 02 states are those that the library computes."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
+from lesson_text import lesson_text
 
 from course_lib import camera, homogeneous, transforms
 from course_lib.camera import Camera
@@ -13,14 +13,9 @@ from course_lib.drawing.explorers.join_meet import join_meet_frame
 from course_lib.drawing.explorers.whole_camera import FIRST, whole_camera, whole_camera_frame
 from course_lib.widgets.homogeneous import join_meet_explorer, whole_camera_explorer
 
-TEXT = (Path(__file__).parents[2] / "lessons" / "02_homogeneous.md").read_text(encoding="utf-8")
+TEXT = lesson_text("02_homogeneous")
+says = TEXT.says
 SECOND = Camera(draw.K, *transforms.cv_from_graphics_camera(draw.FROM_BLENDER), draw.SIZE)
-
-
-def says(*parts):
-    """Assert that the lesson's text contains each part; return nothing."""
-    for part in parts:
-        assert part in TEXT, f"the lesson does not say {part!r}"
 
 
 def rounded(values, digits):

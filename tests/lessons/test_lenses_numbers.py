@@ -1,9 +1,8 @@
 """The numbers that the text of chapter 03 states are those that the library computes."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from lesson_text import lesson_text
 
 from course_lib import optics
 from course_lib.drawing.explorers.aperture_window import best_aperture
@@ -11,16 +10,11 @@ from course_lib.drawing.explorers.depth_of_field import depth_of_field_frame
 from course_lib.drawing.explorers.ray_tracer import ray_tracer_frame
 from course_lib.widgets.lenses import two_lens_explorer
 
-TEXT = (Path(__file__).parents[2] / "lessons" / "03_lenses.md").read_text(encoding="utf-8")
+TEXT = lesson_text("03_lenses")
+says = TEXT.says
 
 PITCH, GREEN = 27.6 / 2048, 0.00055  # mm
 F, NEAR, FAR = 85, 2000, 2500  # the wing, mm
-
-
-def says(*parts):
-    """Assert that the lesson's text contains each part; return nothing."""
-    for part in parts:
-        assert part in TEXT, f"the lesson does not say {part!r}"
 
 
 def about(value, digits):

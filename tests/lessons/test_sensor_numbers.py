@@ -1,22 +1,16 @@
 """The numbers that the text of chapter 04 states are those that the library computes."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from lesson_text import lesson_text
 
 from course_lib import illumination, optics, sensor
 from course_lib.drawing import sensor as draw
 from course_lib.drawing.explorers import exposure, rolling_shutter
 from data_generators import belt
 
-TEXT = (Path(__file__).parents[2] / "lessons" / "04_sensor.md").read_text(encoding="utf-8")
-
-
-def says(*parts):
-    """Assert that the lesson's text contains each part; return nothing."""
-    for part in parts:
-        assert part in TEXT, f"the lesson does not say {part!r}"
+TEXT = lesson_text("04_sensor")
+says = TEXT.says
 
 
 def readings(t, N, iso, lux, speed):
