@@ -7,8 +7,7 @@ frame. So events coalesce while a slider is dragged, and the last state always a
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -22,23 +21,6 @@ from course_lib.widgets.messages import encode_frame
 
 HERE = Path(__file__).parent
 Value = float | str | bool
-
-
-@contextmanager
-def one_thread() -> Iterator[None]:
-    """Let OpenCV work on the calling thread only.
-
-    The pictures are small, and the browser needs the other processor: waiting for a second thread
-    takes longer than it saves.
-    """
-    import cv2
-
-    before = cv2.getNumThreads()
-    cv2.setNumThreads(1)
-    try:
-        yield
-    finally:
-        cv2.setNumThreads(before)
 
 
 class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
@@ -134,10 +116,9 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
             self._move(changes)
             self._count += 1
             try:
-                with one_thread():
-                    frame = self.frame_now()
-                    self._move(frame.follows)
-                    message, buffers = encode_frame(frame, self._raw, self._before)
+                frame = self.frame_now()
+                self._move(frame.follows)
+                message, buffers = encode_frame(frame, self._raw, self._before)
                 self._before = frame
             except Exception as error:  # a frame function may fail in any way; the reader is told
                 message, buffers = {"error": self._sentence(error)}, []
