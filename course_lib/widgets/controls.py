@@ -93,11 +93,13 @@ class Slider:
         return ""
 
     def text(self, value: float) -> str:
-        """Return `value` as it is shown, without the unit."""
-        if not self.steps:
-            return f"{value:.{self.digits}f}"
-        decimals = (self.digits or 2) - 1 - math.floor(math.log10(abs(value)))
-        return f"{value:.{max(decimals, 0)}f}"
+        """Return `value` as it is shown, without the unit; long numbers in groups of three."""
+        decimals = self.digits
+        if self.steps:
+            decimals = max((self.digits or 2) - 1 - math.floor(math.log10(abs(value))), 0)
+        if abs(value) < 10_000:
+            return f"{value:.{decimals}f}"
+        return f"{value:,.{decimals}f}".replace(",", "\N{NARROW NO-BREAK SPACE}")
 
     def spec(self) -> dict[str, Any]:
         """Return what the browser needs to show it."""

@@ -77,3 +77,10 @@ def test_a_switch_takes_true_and_false_only():
 def test_errors(make, words):
     with pytest.raises(ValueError, match=words):
         make()
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"), [(320, "320"), (9999, "9999"), (1e6, "1\u202f000\u202f000")]
+)
+def test_long_numbers_are_shown_in_groups(value, shown):
+    assert Slider("Z", "Distance", "Z", "mm", 1, 1e6, 1, step=1e6).text(value) == shown
