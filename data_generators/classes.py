@@ -194,7 +194,8 @@ def _source(exercise: Exercise, function: Callable[..., Any]) -> str:
     if isinstance(exercise, ValuesExercise):
         return values_answer(exercise, function, exercise.function_name)
     documented = paste(exercise.reference)
-    own = paste(function, exercise.function_name)
+    elsewhere = not function.__module__.startswith("course_lib.")  # not to be had in a notebook
+    own = paste(function, exercise.function_name, alone=elsewhere)
     return Pasted(documented.signature, documented.docstring, own.body).as_function()
 
 

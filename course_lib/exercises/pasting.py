@@ -44,7 +44,7 @@ class Pasted:
         return [self.docstring] if self.docstring else []
 
 
-def paste(function: Callable[..., Any], name: str = "") -> Pasted:
+def paste(function: Callable[..., Any], name: str = "", alone: bool = False) -> Pasted:
     """Take a function's source apart, so that it runs in a notebook.
 
     Parameters
@@ -53,6 +53,9 @@ def paste(function: Callable[..., Any], name: str = "") -> Pasted:
         A function defined in a module with ``def``; plain, without a closure.
     name : str, optional
         What it is called in the notebook; its own name unless told otherwise.
+    alone : bool
+        Whether its module is not to be had in the notebook: the functions of that module that it
+        calls are then written into its body, as a student would.
 
     Returns
     -------
@@ -60,32 +63,59 @@ def paste(function: Callable[..., Any], name: str = "") -> Pasted:
         Without annotations; with an import of each global name it uses. NumPy is expected to be
         there as ``np``.
     """
-    source = textwrap.dedent(inspect.getsource(function))
-    definition = ast.parse(source).body[0]
-    assert isinstance(definition, ast.FunctionDef)
+    source, definition = _parsed(function)
     documented = ast.get_docstring(definition, clean=False) is not None
     lines = source.splitlines()
     begins = definition.body[0].end_lineno if documented else _header_end(definition, lines)
     statements = "\n".join(lines[begins : definition.end_lineno])
     body = textwrap.indent(textwrap.dedent(statements).strip("\n"), INDENT)
-    imports = textwrap.indent("\n".join(needed_imports(function, definition)), INDENT)
+    helpers = _helpers(function) if alone else {}
+    used = {key: value for f in (function, *helpers.values()) for key, value in _used(f).items()}
+    imports = _imports({key: used[key] for key in used if key not in helpers}, function)
+    sources = [_parsed(helper)[0].rstrip() for helper in helpers.values()]
+    before = [textwrap.indent(text, INDENT) for text in ("\n".join(imports), *sources) if text]
     return Pasted(
         _signature(definition, name or function.__name__),
         _docstring(ast.get_docstring(definition) or ""),
-        f"{imports}\n\n{body}" if imports else body,
+        "\n\n".join([*before, body]),
     )
 
 
-def needed_imports(function: Callable[..., Any], definition: ast.FunctionDef) -> list[str]:
-    """Return the import lines for the global names that a function's statements use."""
-    used = [node for part in definition.body for node in ast.walk(part)]
+def _parsed(function: Callable[..., Any]) -> tuple[str, ast.FunctionDef]:
+    """Return a function's source and its syntax tree."""
+    source = textwrap.dedent(inspect.getsource(function))
+    definition = ast.parse(source).body[0]
+    assert isinstance(definition, ast.FunctionDef)
+    return source, definition
+
+
+def _used(function: Callable[..., Any]) -> dict[str, Any]:
+    """Return the global names that a function's statements use, and what they stand for."""
+    nodes = [node for part in _parsed(function)[1].body for node in ast.walk(part)]
     plain = inspect.unwrap(function)
     own = {*plain.__code__.co_varnames, *plain.__code__.co_cellvars}  # they hide global names
-    names = {node.id for node in used if isinstance(node, ast.Name)} - own
+    names = {node.id for node in nodes if isinstance(node, ast.Name)} - own
     scope = plain.__globals__
-    found = {name: scope[name] for name in names if name in scope and not hasattr(builtins, name)}
+    return {name: scope[name] for name in names if name in scope and not hasattr(builtins, name)}
+
+
+def _helpers(function: Callable[..., Any]) -> dict[str, Callable[..., Any]]:
+    """Return the functions of its own module that a function calls, directly or not."""
+    found: dict[str, Callable[..., Any]] = {}
+    waiting = [function]
+    while waiting:
+        for name, value in sorted(_used(waiting.pop()).items()):
+            beside = inspect.isfunction(value) and value.__module__ == function.__module__
+            if beside and name not in found and value is not function:
+                found[name] = value
+                waiting.append(value)
+    return found
+
+
+def _imports(used: Mapping[str, Any], function: Callable[..., Any]) -> list[str]:
+    """Return the import lines for global names."""
     lines, by_module = [], dict[str, list[str]]()
-    for name, value in sorted(found.items()):
+    for name, value in sorted(used.items()):
         if isinstance(value, ModuleType):
             lines += [] if value is np else [_import_module(value.__name__, name)]
         else:

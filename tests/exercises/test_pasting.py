@@ -3,6 +3,7 @@ import math
 
 import numpy as np
 import pytest
+from second_solutions import second_solutions
 
 from course_lib import camera, optics
 from course_lib.exercises import all_exercises
@@ -124,6 +125,16 @@ def test_pasted_reference_is_a_right_answer(exercise):
     function = run(paste(exercise.reference).as_solution(), exercise.function_name)
     cases = pose(exercise, 3)
     verdict = judge(exercise, cases, answer(exercise, function, cases))
+    assert verdict.points == verdict.possible
+
+
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=lambda e: e.name)
+def test_what_is_pasted_alone_needs_nothing_of_its_module(exercise):
+    second = second_solutions(exercise.chapter)[exercise.function_name]
+    source = paste(second, exercise.function_name, alone=True).as_function()
+    assert "second_solutions" not in source
+    cases = pose(exercise, 3)
+    verdict = judge(exercise, cases, answer(exercise, run(source, exercise.function_name), cases))
     assert verdict.points == verdict.possible
 
 
