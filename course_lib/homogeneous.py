@@ -170,7 +170,7 @@ def check_distinct(a: Array, b: Array, what: str) -> None:
         raise DegenerateConfigurationError(f"the {what} are the same: move one of them")
 
 
-def map_points(points: ArrayLike, H: ArrayLike) -> Array:
+def apply_homography(points: ArrayLike, H: ArrayLike) -> Array:
     """Return points of the plane after a projective transformation.
 
     Parameters
@@ -199,7 +199,7 @@ def map_points(points: ArrayLike, H: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> map_points([1, 2], [[1, 0, 10], [0, 1, 20], [0, 0, 1]])
+    >>> apply_homography([1, 2], [[1, 0, 10], [0, 1, 20], [0, 0, 1]])
     array([11., 22.])
     """
     points = check_points(points, 2, "points")

@@ -7,11 +7,11 @@ from course_lib import homogeneous
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.homogeneous import (
     LINE_AT_INFINITY,
+    apply_homography,
     cross_ratio,
     from_homogeneous,
     line_through,
     map_lines,
-    map_points,
     meet,
     to_homogeneous,
 )
@@ -142,17 +142,17 @@ class TestTransformations:
     """What each kind of transformation keeps: projective, then affine, then Euclidean ones."""
 
     def test_shapes(self):
-        assert map_points((1, 2), PROJECTIVE).shape == (2,)
-        assert map_points(POINTS, PROJECTIVE).shape == POINTS.shape
+        assert apply_homography((1, 2), PROJECTIVE).shape == (2,)
+        assert apply_homography(POINTS, PROJECTIVE).shape == POINTS.shape
         assert map_lines((1, 2, 3), PROJECTIVE).shape == (3,)
         assert map_lines(np.ones((4, 3)), PROJECTIVE).shape == (4, 3)
         assert isinstance(cross_ratio([[0, 0], [1, 1], [2, 2], [3, 3]]), float)
 
     def test_errors(self):
         with pytest.raises(ValueError, match=r"points must have shape \(N, 2\) or \(2,\)"):
-            map_points((1, 2, 3), PROJECTIVE)
+            apply_homography((1, 2, 3), PROJECTIVE)
         with pytest.raises(ValueError, match=r"H must have shape \(3, 3\)"):
-            map_points(POINTS, np.eye(2))
+            apply_homography(POINTS, np.eye(2))
         with pytest.raises(ValueError, match=r"points must have shape \(4, 2\) or \(4, 3\)"):
             cross_ratio(POINTS)
         with pytest.raises(ValueError, match="points must be finite"):
@@ -161,22 +161,22 @@ class TestTransformations:
             map_lines((0, 0, 0), PROJECTIVE)
 
     def test_round_trip(self):
-        there = map_points(POINTS, PROJECTIVE)
-        np.testing.assert_allclose(map_points(there, np.linalg.inv(PROJECTIVE)), POINTS)
+        there = apply_homography(POINTS, PROJECTIVE)
+        np.testing.assert_allclose(apply_homography(there, np.linalg.inv(PROJECTIVE)), POINTS)
 
     def test_accuracy(self):
         # Points on a line stay on it: the line through the images is the image of the line.
         p, q = to_homogeneous(POINTS[0]), to_homogeneous(POINTS[1])
-        images = to_homogeneous(map_points(POINTS[:2], PROJECTIVE))
+        images = to_homogeneous(apply_homography(POINTS[:2], PROJECTIVE))
         mapped = map_lines(line_through(p, q), PROJECTIVE)
         np.testing.assert_allclose(np.cross(line_through(*images), mapped), 0, atol=1e-10)
 
     def test_projective_keeps_the_cross_ratio_alone(self):
         line = np.array([[0.0, 1], [1, 3], [2, 5], [4, 9]])
         for H in (PROJECTIVE, AFFINE, EUCLIDEAN):
-            assert cross_ratio(map_points(line, H)) == pytest.approx(cross_ratio(line))
+            assert cross_ratio(apply_homography(line, H)) == pytest.approx(cross_ratio(line))
         assert cross_ratio(line) == pytest.approx((2 * 3) / (1 * 4))
-        before, after = lengths(line), lengths(map_points(line, PROJECTIVE))
+        before, after = lengths(line), lengths(apply_homography(line, PROJECTIVE))
         assert abs(after[2] / after[0] - before[2] / before[0]) > 0.1
 
     def test_affine_keeps_parallels_and_ratios_on_a_line(self):
@@ -184,17 +184,17 @@ class TestTransformations:
         assert parallel(*map_lines([l, m], AFFINE))
         assert not parallel(*map_lines([l, m], PROJECTIVE))
         line = np.array([[0.0, 1], [1, 3], [4, 9]])
-        after = lengths(map_points(line, AFFINE))
+        after = lengths(apply_homography(line, AFFINE))
         assert after[1] / after[0] == pytest.approx(3)
         np.testing.assert_allclose(map_lines(LINE_AT_INFINITY, AFFINE), LINE_AT_INFINITY)
 
     def test_euclidean_keeps_lengths(self):
-        np.testing.assert_allclose(lengths(map_points(POINTS, EUCLIDEAN)), lengths(POINTS))
-        assert np.abs(lengths(map_points(POINTS, AFFINE)) - lengths(POINTS)).max() > 0.1
+        np.testing.assert_allclose(lengths(apply_homography(POINTS, EUCLIDEAN)), lengths(POINTS))
+        assert np.abs(lengths(apply_homography(POINTS, AFFINE)) - lengths(POINTS)).max() > 0.1
 
     def test_degenerate(self):
         with pytest.raises(DegenerateConfigurationError, match="H is singular"):
-            map_points(POINTS, np.ones((3, 3)))
+            apply_homography(POINTS, np.ones((3, 3)))
         with pytest.raises(DegenerateConfigurationError, match="not on one line"):
             cross_ratio(POINTS[:4])
         with pytest.raises(DegenerateConfigurationError, match="coincide"):
@@ -202,7 +202,8 @@ class TestTransformations:
         # A point on the line that goes to infinity has no image.
         to_infinity = np.array([[1, 0, 0], [0, 1, 0], [1, 0, -2.0]])
         np.testing.assert_array_equal(
-            np.isnan(map_points([[2, 5], [3, 5]], to_infinity)), [[True, True], [False, False]]
+            np.isnan(apply_homography([[2, 5], [3, 5]], to_infinity)),
+            [[True, True], [False, False]],
         )
 
 

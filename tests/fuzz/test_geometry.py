@@ -76,14 +76,14 @@ shapes = st.one_of(
 )
 
 #: Rows of NaN are an answer of these.
-NAN_ROWS = {"from_homogeneous", "map_points", "project", "project_pinhole", "vanishing_point"}
+NAN_ROWS = {"from_homogeneous", "apply_homography", "project", "project_pinhole", "vanishing_point"}
 FUNCTIONS = [
     *(getattr(transforms, name) for name in transforms.__all__),
     homogeneous.to_homogeneous,
     homogeneous.from_homogeneous,
     homogeneous.line_through,
     homogeneous.meet,
-    homogeneous.map_points,
+    homogeneous.apply_homography,
     homogeneous.map_lines,
     homogeneous.cross_ratio,
     camera.camera_matrix,

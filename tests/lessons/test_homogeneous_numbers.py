@@ -58,7 +58,7 @@ def test_boards_meet_where_chapter_01_found():
 
 def test_cross_ratio_of_equal_steps():
     steps = np.array([[0.0, 1], [1, 1], [2, 1], [3, 1]])
-    seen = homogeneous.map_points(steps, [[0.8, 0.1, 5], [0.05, 0.7, 2], [0.02, 0.04, 1]])
+    seen = homogeneous.apply_homography(steps, [[0.8, 0.1, 5], [0.05, 0.7, 2], [0.02, 0.04, 1]])
     assert np.ptp(np.linalg.norm(np.diff(seen, axis=0), axis=1)) > 0.04
     for points in (steps, seen):
         assert homogeneous.cross_ratio(points) == pytest.approx(4 / 3)

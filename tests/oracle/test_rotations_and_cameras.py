@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 
 from course_lib.camera import camera_matrix, decompose_projection, pixel_ray, project
 from course_lib.euler import ORDERS
-from course_lib.homogeneous import from_homogeneous, map_points, to_homogeneous
+from course_lib.homogeneous import apply_homography, from_homogeneous, to_homogeneous
 from course_lib.transforms import (
     euler_from_rotation,
     pose_from_twist,
@@ -129,4 +129,4 @@ def test_projective_transformation_agrees():
     rng = np.random.default_rng(1)
     points, H = rng.normal(size=(20, 2)), rng.normal(size=(3, 3))
     theirs = cv2.perspectiveTransform(points[:, None], H)[:, 0]
-    np.testing.assert_allclose(map_points(points, H), theirs, rtol=1e-9)
+    np.testing.assert_allclose(apply_homography(points, H), theirs, rtol=1e-9)

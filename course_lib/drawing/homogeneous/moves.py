@@ -20,7 +20,7 @@ from course_lib.drawing.diagrams import (
 )
 from course_lib.drawing.space import onlooker, show_arrow, show_face, show_path
 from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
-from course_lib.homogeneous import map_points
+from course_lib.homogeneous import apply_homography
 from course_lib.transforms import (
     rotation_about_axis,
     rotation_x,
@@ -67,7 +67,7 @@ def order_matters(angle_deg: float = 60.0, way: float = 2.0) -> Figure:
         for H, role, alpha in zip(
             (np.eye(3), *steps), ("guide", "camera", "object"), (0.25, 0.25, 0.7), strict=True
         ):
-            corners = map_points(FLAG, H)
+            corners = apply_homography(FLAG, H)
             ax.fill(*corners.T, color=ROLES[role], alpha=alpha, lw=0)
             stroke(ax, corners[:2], role, lw=3)
             ax.plot(*corners[0], "o", color=ROLES[role], ms=6)

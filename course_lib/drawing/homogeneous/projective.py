@@ -18,7 +18,7 @@ from course_lib.drawing.diagrams import (
     write,
 )
 from course_lib.drawing.style import BLACK, FULL_WIDTH, ROLES
-from course_lib.homogeneous import from_homogeneous, map_points
+from course_lib.homogeneous import apply_homography, from_homogeneous
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -105,4 +105,4 @@ def _drawing(ax: Axes, H: Floats, role: str, **options: object) -> None:
     for k in (-1.0, 0.0, 1.0):
         paths += [np.array([(-1.0, k), (1, k)]), np.array([(k, -1.0), (k, 1)])]
     for path in paths:
-        stroke(ax, map_points(path, H), role, **options)
+        stroke(ax, apply_homography(path, H), role, **options)
