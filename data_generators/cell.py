@@ -55,7 +55,8 @@ def object_points() -> Array:
     a, b = (grid.ravel() for grid in np.meshgrid(DOTS, DOTS))
     zero = np.zeros_like(a)
     floor, side, back = [a, -b, zero], [zero, -a, b], [a, zero, b]
-    return CORNER + np.concatenate([np.stack(panel, axis=1) for panel in (floor, side, back)])
+    dots = np.concatenate([np.stack(panel, axis=1) for panel in (floor, side, back)])
+    return np.asarray(CORNER + dots)
 
 
 def observed(pixels: ArrayLike, sigma: float, rng: np.random.Generator) -> Array:

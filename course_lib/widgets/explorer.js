@@ -35,6 +35,12 @@ function render({ model, el }) {
     flush();
   }
 
+  // A spot of a picture was dragged to (u, v): it moves controls.
+  function dragged(moves, u, v) {
+    for (const [name, a, b, c] of moves) rows.get(name).value = a + b * u + c * v;
+    moved();
+  }
+
   function flush() {
     if (!waiting || sent - answered >= IN_FLIGHT) return;
     waiting = false;
@@ -84,7 +90,7 @@ function render({ model, el }) {
     for (const [name, row] of rows) row.follow(message.follows[name]);
     if (figures.length !== message.pictures.length) {
       figures.forEach((f) => f.remove());
-      figures = message.pictures.map(() => figure());
+      figures = message.pictures.map(() => figure(dragged));
       pictures.replaceChildren(...figures.map((f) => f.element));
     }
     const floats = aligned(buffers[0]);

@@ -91,6 +91,7 @@ def _encode_picture(picture: Picture, image: int | str | None, numbers: _Numbers
         "image": image,
         "lines": [vars(line) | {"points": numbers.add(line.points)} for line in picture.lines],
         "labels": [vars(label) for label in picture.labels],
+        "handles": [vars(handle) for handle in picture.handles],
         "probes": [
             vars(probe)
             | {

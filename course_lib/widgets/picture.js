@@ -25,7 +25,9 @@ function aligned(view) {
   return new Float32Array(view.buffer.slice(view.byteOffset, view.byteOffset + view.byteLength));
 }
 
-function figure() {
+const GRIP = 16; // px of the screen: how near to a handle a pointer takes it
+
+function figure(dragged) {
   const canvas = make("canvas", { className: "ce-canvas", role: "img", tabIndex: 0 });
   const cross = make("canvas", { className: "ce-cross", ariaHidden: true, hidden: true });
   const title = make("figcaption");
@@ -33,6 +35,7 @@ function figure() {
   const box = make("div", { className: "ce-box" }, canvas, cross);
   const element = make("figure", { className: "ce-figure" }, title, box, reading);
   let picture = null, photograph = null, floats = null, pointer = null, width = 0;
+  let held = -1; // the handle that is being dragged
   let style = null; // colours by role and the font; asking the page for them is slow
   const size = new ResizeObserver(([entry]) => {
     width = entry.contentRect.width;
@@ -59,6 +62,7 @@ function figure() {
     const context = fit(canvas);
     if (photograph) cover(context, photograph);
     for (const line of picture.lines) stroke(context, line, floats, style, Boolean(photograph));
+    for (const handle of picture.handles) spot(context, handle, style, picture.size[0] / width);
     for (const label of picture.labels) write(context, label, style, Boolean(photograph));
     point(pointer);
   }
@@ -90,10 +94,45 @@ function figure() {
     rewrite(reading, texts.join("  ·  "));
   }
 
+  const under = (event) => [event.offsetX, event.offsetY].map((x) => (x * picture.size[0]) / width - 0.5);
+
+  function gripped(event) {
+    const [u, v] = under(event), reach = (GRIP * picture.size[0]) / width;
+    const far = picture.handles.map(({ at }) => (at[0] - u) ** 2 + (at[1] - v) ** 2);
+    const best = far.indexOf(Math.min(...far));
+    return far[best] < reach ** 2 ? best : -1;
+  }
+
+  // The spot follows the pointer at once; all that depends on it comes from Python.
+  function drag(event) {
+    const handle = picture.handles[held];
+    const [u, v] = under(event).map((x, i) => Math.min(Math.max(x, 0), picture.size[i] - 1));
+    const free = [2, 3].map((i) => handle.moves.some((move) => move[i] !== 0)); // b, c
+    handle.at = [free[0] ? u : handle.at[0], free[1] ? v : handle.at[1]];
+    draw();
+    dragged(handle.moves, u, v);
+  }
+
+  canvas.addEventListener("pointerdown", (event) => {
+    if (!picture?.handles.length || (held = gripped(event)) < 0) return;
+    event.preventDefault();
+    canvas.setPointerCapture(event.pointerId);
+    box.classList.add("ce-held");
+  });
+  function release() {
+    if (held < 0) return;
+    const { moves, at } = picture.handles[held];
+    held = -1;
+    box.classList.remove("ce-held");
+    dragged(moves, ...at); // the last frame puts it where its controls stand
+  }
+  canvas.addEventListener("pointerup", release);
+  canvas.addEventListener("pointercancel", release);
   box.addEventListener("pointermove", (event) => {
     if (!picture) return;
-    const scale = picture.size[0] / width;
-    point([event.offsetX * scale - 0.5, event.offsetY * scale - 0.5]);
+    if (held >= 0) drag(event);
+    else if (picture.handles.length) box.classList.toggle("ce-grip", gripped(event) >= 0);
+    point(under(event));
   });
   box.addEventListener("pointerleave", () => { if (picture) point(null); });
   canvas.addEventListener("blur", () => { if (picture) point(null); });
@@ -113,12 +152,14 @@ function figure() {
       photograph?.close();
     },
     show(next, bitmap, numbers) {
+      if (held >= 0 && next.handles[held]) next.handles[held].at = picture.handles[held].at;
       [picture, floats] = [next, numbers];
       if (bitmap !== "same") {
         photograph?.close();
         photograph = bitmap;
       }
       box.classList.toggle("ce-photograph", Boolean(photograph));
+      box.classList.toggle("ce-draggable", picture.handles.length > 0);
       rewrite(title, picture.title);
       canvas.ariaLabel = picture.alt;
       element.style.setProperty("--ce-width", `${picture.size[0]}px`);
@@ -162,6 +203,15 @@ function stroke(context, line, floats, { ink }, onPhotograph) {
   }
   Object.assign(context, { lineWidth: line.width, strokeStyle: ink(line.role) });
   context.stroke(path);
+}
+
+function spot(context, { at, role }, { ink }, pixel) {
+  context.setLineDash([]);
+  context.beginPath();
+  context.arc(at[0], at[1], 7 * pixel, 0, 7);
+  Object.assign(context, { fillStyle: ink("paper"), strokeStyle: ink(role), lineWidth: 3 * pixel });
+  context.fill();
+  context.stroke();
 }
 
 // To the last row of the canvas, of which a rounded height may leave a part.

@@ -4,6 +4,7 @@ import pytest
 
 from course_lib.drawing.explorers.frame import (
     Frame,
+    Handle,
     Label,
     Line,
     Picture,
@@ -35,7 +36,8 @@ def test_every_ingredient_can_be_drawn():
     disk = Line([[0, 0], [9, 0], [9, 9]], "ray", closed=True, fill=0.4, dashed=True)
     labels = tuple(Label("x", (40, 30), "ink", anchor) for anchor in ("start", "middle", "end"))
     probe = Probe("angle", "°", np.zeros((2, 2)))
-    sketch = Picture("Sketch", "", (80, 60), None, (disk,), labels, (probe,), pixels=True)
+    handle = Handle((20, 20), (("x", 0, 1, 0),))
+    sketch = Picture("Sketch", "", (80, 60), None, (disk,), labels, (probe,), True, (handle,))
     assert still(Frame((sketch, sketch), (READING,) * 7))[:4] == b"\x89PNG"
 
 

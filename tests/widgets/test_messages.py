@@ -4,7 +4,16 @@ import cv2
 import numpy as np
 import pytest
 
-from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Probe, Readout, matrix
+from course_lib.drawing.explorers.frame import (
+    Frame,
+    Handle,
+    Label,
+    Line,
+    Picture,
+    Probe,
+    Readout,
+    matrix,
+)
 from course_lib.widgets.messages import encode_frame, i420, jpeg
 
 GRADIENT = np.stack(np.broadcast_arrays(np.arange(60)[None], np.arange(40)[:, None], 200), axis=2)
@@ -29,6 +38,15 @@ def test_points_and_grids_arrive_as_they_were():
     probe = message["pictures"][1]["probes"][0]
     assert probe["shape"] == [3, 4]
     np.testing.assert_array_equal(numbers(message, buffers, probe["values"]), np.arange(12))
+
+
+def test_handles_arrive_with_what_they_move():
+    corner = Handle((12.0, 8.0), (("x", 1.5, 0.5, 0), ("y", 2, 0, -0.25)), "camera")
+    message, _ = encode_frame(Frame((Picture("Corner", "", (60, 40), handles=(corner,)), SKETCH)))
+    first, second = json.loads(json.dumps(message))["pictures"]
+    moves = [["x", 1.5, 0.5, 0], ["y", 2, 0, -0.25]]
+    assert first["handles"] == [{"at": [12, 8], "moves": moves, "role": "camera"}]
+    assert second["handles"] == []
 
 
 def test_a_photograph_arrives_as_jpeg_in_the_right_colours():

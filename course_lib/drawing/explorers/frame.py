@@ -82,6 +82,27 @@ class Probe:
 
 
 @dataclass(frozen=True)
+class Handle:
+    """A spot that can be dragged; it moves controls of the explorer.
+
+    Attributes
+    ----------
+    at : tuple of float
+        Where it is, px of its picture.
+    moves : tuple of (str, float, float, float)
+        For each control that it moves: its name and a, b, c. Dragged to the pixel (u, v), the
+        spot sets the control to ``a + b u + c v``. A spot that no b, or no c, concerns stays in
+        its column, or in its row.
+    role : str
+        As of a line.
+    """
+
+    at: tuple[float, float]
+    moves: tuple[tuple[str, float, float, float], ...]
+    role: str = "object"
+
+
+@dataclass(frozen=True)
 class Picture:
     """One picture of a frame: a photograph with an overlay, or a line drawing without one.
 
@@ -99,6 +120,8 @@ class Picture:
         What the pointer reads.
     pixels : bool
         Whether the pointer also reads (u, v).
+    handles : tuple of Handle
+        Spots that can be dragged.
     """
 
     title: str
@@ -109,6 +132,7 @@ class Picture:
     labels: tuple[Label, ...] = ()
     probes: tuple[Probe, ...] = ()
     pixels: bool = False
+    handles: tuple[Handle, ...] = ()
 
     def __post_init__(self) -> None:
         image, shape = self.image, (self.size[1], self.size[0], 3)
@@ -246,6 +270,8 @@ def _draw(axes: Axes, picture: Picture) -> None:
         dash = "--" if line.dashed else "-"
         halo = _halo(picture, 0.6 * line.width)
         axes.plot(*points.T, dash, color=colour, linewidth=0.6 * line.width, path_effects=halo)
+    for handle in picture.handles:
+        axes.plot(*handle.at, "o", ms=7, mfc="white", mec=_colour(handle.role), mew=1.8)
     for label in picture.labels:
         look: dict[str, Any] = {"ha": ANCHORS[label.anchor], "va": "center", "fontsize": 7}
         halo = _halo(picture, 0)
