@@ -99,7 +99,7 @@ def test_data_sheet():
     answers = data_sheet(85.0, (27.6, 25.9), (2048, 1920), 6890.5)
     assert round(answers["pixels_per_mm"], 1) == 74.2
     assert round(answers["f_px"], 1) == 6307.2
-    assert (answers["c_u"], answers["c_v"]) == (1023.5, 959.5)
+    assert (answers["c_x"], answers["c_y"]) == (1023.5, 959.5)
     assert round(answers["f_calibrated_mm"], 1) == 92.9
     assert answers["f_calibrated_mm"] == pytest.approx(92.86, abs=0.005)
     says("74.2 px/mm", "6307.2", "92.86", "$(1024, 960)$", "9 % larger")

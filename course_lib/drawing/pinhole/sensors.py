@@ -56,11 +56,11 @@ def pixel_grid(width: int = 8, height: int = 5) -> Figure:
         ax.plot([-0.5, width - 0.5], [k - 0.5] * 2, color=GREY, lw=0.8)
     u, v = np.meshgrid(np.arange(width), np.arange(height))
     ax.plot(u.ravel(), v.ravel(), ".", color=GREY, ms=5)
-    c_u, c_v = image_centre((width, height))
+    c_x, c_y = image_centre((width, height))
     marks = [
         ("s", (-0.5, -0.5), "corner of the picture: (−0.5, −0.5)", GREEN),
         ("o", (0, 0), "centre of the first pixel: (0, 0)", BLUE),
-        ("P", (c_u, c_v), f"middle of the picture: ({c_u:g}, {c_v:g})", RED),
+        ("P", (c_x, c_y), f"middle of the picture: ({c_x:g}, {c_y:g})", RED),
     ]
     for row, (marker, at, label, colour) in enumerate(marks):
         line = {"ls": "", "ms": 10, "color": colour, "clip_on": False}

@@ -10,12 +10,12 @@ from course_lib.judging import Close, Misconception, ValuesExercise
 def data_sheet(f, sensor_size, image_size, f_calibrated):
     """Work out a camera's first guess from its data sheet, and read a calibration back."""
     pixels_per_mm = image_size[0] / sensor_size[0]
-    c_u, c_v = camera.image_centre(image_size)
+    c_x, c_y = camera.image_centre(image_size)
     return {
         "pixels_per_mm": pixels_per_mm,
         "f_px": f * pixels_per_mm,
-        "c_u": c_u,
-        "c_v": c_v,
+        "c_x": c_x,
+        "c_y": c_y,
         "f_calibrated_mm": f_calibrated / pixels_per_mm,
     }
 
@@ -32,8 +32,8 @@ DATA_SHEET = ValuesExercise(
     units={
         "pixels_per_mm": "px/mm, along the width",
         "f_px": "focal length in px, along the width",
-        "c_u": "principal point, column in px",
-        "c_v": "principal point, row in px",
+        "c_x": "principal point, column in px",
+        "c_y": "principal point, row in px",
         "f_calibrated_mm": "the calibrated focal length in mm",
     },
     points=5,

@@ -10,8 +10,8 @@ def filled_in(
     return {
         "pixels_per_mm": pixels_per_mm,
         "f_px": f * pixels_per_mm,
-        "c_u": (image_size[0] - 1) / 2,
-        "c_v": (image_size[1] - 1) / 2,
+        "c_x": (image_size[0] - 1) / 2,
+        "c_y": (image_size[1] - 1) / 2,
         "f_calibrated_mm": f_calibrated / pixels_per_mm,
     }
 
@@ -26,7 +26,7 @@ def data_sheet_along_the_height(f, sensor_size, image_size, f_calibrated):
 
 def data_sheet_rows_first(f, sensor_size, image_size, f_calibrated):
     values = filled_in(image_size[0] / sensor_size[0], f, image_size, f_calibrated)
-    return {**values, "c_u": values["c_v"], "c_v": values["c_u"]}
+    return {**values, "c_x": values["c_y"], "c_y": values["c_x"]}
 
 
 def data_sheet_inverse_ratio(f, sensor_size, image_size, f_calibrated):
@@ -36,12 +36,12 @@ def data_sheet_inverse_ratio(f, sensor_size, image_size, f_calibrated):
 
 def data_sheet_whole_size(f, sensor_size, image_size, f_calibrated):
     values = filled_in(image_size[0] / sensor_size[0], f, image_size, f_calibrated)
-    return {**values, "c_u": image_size[0], "c_v": image_size[1]}
+    return {**values, "c_x": image_size[0], "c_y": image_size[1]}
 
 
 def data_sheet_half_the_size(f, sensor_size, image_size, f_calibrated):
     values = filled_in(image_size[0] / sensor_size[0], f, image_size, f_calibrated)
-    return {**values, "c_u": image_size[0] / 2, "c_v": image_size[1] / 2}
+    return {**values, "c_x": image_size[0] / 2, "c_y": image_size[1] / 2}
 
 
 def data_sheet_still_in_pixels(f, sensor_size, image_size, f_calibrated):
@@ -51,7 +51,7 @@ def data_sheet_still_in_pixels(f, sensor_size, image_size, f_calibrated):
 
 def data_sheet_half_a_pixel_too_far(f, sensor_size, image_size, f_calibrated):
     values = filled_in(image_size[0] / sensor_size[0], f, image_size, f_calibrated)
-    return {**values, "c_u": (image_size[0] + 1) / 2, "c_v": (image_size[1] + 1) / 2}
+    return {**values, "c_x": (image_size[0] + 1) / 2, "c_y": (image_size[1] + 1) / 2}
 
 
 def data_sheet_multiplied_back(f, sensor_size, image_size, f_calibrated):

@@ -70,7 +70,7 @@ def data_sheet(f, sensor_size, image_size, f_calibrated):
     return {
         "pixels_per_mm": 74.2,
         "f_px": 6307.2,
-        "c_u": 1023.5,
-        "c_v": 959.5,
+        "c_x": 1023.5,
+        "c_y": 959.5,
         "f_calibrated_mm": 92.9,
     }
