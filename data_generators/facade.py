@@ -28,7 +28,7 @@ COLOURS = ((214, 178, 128), (150, 84, 64))
 def in_space(points: ArrayLike) -> Array:
     """Return points of the wall, right and up from its bottom-left corner, in the world, m."""
     points = check_points(points, 2, "points")
-    return FOOT + points @ np.array([[0.0, -1, 0], [0, 0, 1]])
+    return np.asarray(FOOT + points @ np.array([[0.0, -1, 0], [0, 0, 1]]))
 
 
 def window(column: int, floor: int) -> Array:
@@ -50,9 +50,9 @@ def window(column: int, floor: int) -> Array:
 
 def slanted_camera(image_size: tuple[int, int] = (480, 360)) -> Camera:
     """Return a camera on the other side of the street that sees the wall at a slant."""
-    f = 1.12 * image_size[0]
+    f = 1.06 * image_size[0]
     K = np.array([[f, 0, (image_size[0] - 1) / 2], [0, f, (image_size[1] - 1) / 2], [0, 0, 1]])
-    return camera_at((-6.8, 21.8, 2.4), (6.6, 10.4, 3.7), K, image_size)
+    return camera_at((-6.8, 21.8, 2.4), (6.6, 10.2, 4.2), K, image_size)
 
 
 def photograph(camera: Camera) -> NDArray[np.uint8]:
