@@ -13,7 +13,7 @@ from course_lib.checks import Array, check_positive
 Truth = NDArray[np.bool_]
 
 
-def airy_diameter(wavelength: ArrayLike, f_number: ArrayLike) -> Array:
+def airy_diameter(wavelength: ArrayLike, N: ArrayLike) -> Array:
     """Return the diameter of the first dark ring around the image of a point of light.
 
     Even without any geometric blur, light spreads at the edge of a round opening.
@@ -22,8 +22,8 @@ def airy_diameter(wavelength: ArrayLike, f_number: ArrayLike) -> Array:
     ----------
     wavelength : float or array_like
         Wavelength of the light, positive, in any unit of length.
-    f_number : float or array_like
-        Distance from the opening to the image, divided by the opening's diameter; positive.
+    N : float or array_like
+        f-number: distance from the opening to the image, divided by its diameter; positive.
 
     Returns
     -------
@@ -46,7 +46,7 @@ def airy_diameter(wavelength: ArrayLike, f_number: ArrayLike) -> Array:
     >>> round(float(airy_diameter(0.55, 8)), 3)
     10.736
     """
-    return 2.44 * check_positive(wavelength, "wavelength") * check_positive(f_number, "f_number")
+    return 2.44 * check_positive(wavelength, "wavelength") * check_positive(N, "N")
 
 
 def is_diffraction_limited(N: ArrayLike, wavelength: ArrayLike, pitch: ArrayLike) -> Truth:

@@ -167,11 +167,11 @@ def wavelength(rng: Generator) -> float:
 
 
 def airy(rng: Generator) -> Inputs:
-    return {"wavelength": wavelength(rng), "f_number": full_or_half_stop(rng)}
+    return {"wavelength": wavelength(rng), "N": full_or_half_stop(rng)}
 
 
 def several_airy(rng: Generator) -> Inputs:
-    return {"wavelength": wavelength(rng), "f_number": np.sort(rng.uniform(1.4, 22, 4))}
+    return {"wavelength": wavelength(rng), "N": np.sort(rng.uniform(1.4, 22, 4))}
 
 
 def disk_in_pixels(rng: Generator) -> Any:

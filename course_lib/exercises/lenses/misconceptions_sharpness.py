@@ -206,36 +206,36 @@ def closeup_bracket_forgotten(m, N, c):
 # --- airy_diameter ----------------------------------------------------------------------------
 
 
-def airy_radius(wavelength, f_number):
-    return 1.22 * wavelength * f_number
+def airy_radius(wavelength, N):
+    return 1.22 * wavelength * N
 
 
-def airy_without_its_factor(wavelength, f_number):
-    return wavelength * f_number
+def airy_without_its_factor(wavelength, N):
+    return wavelength * N
 
 
-def airy_divided(wavelength, f_number):
-    return 2.44 * wavelength / f_number
+def airy_divided(wavelength, N):
+    return 2.44 * wavelength / N
 
 
-def wavelength_in_nanometres(wavelength, f_number):
-    return 2.44 * (wavelength / 1e6) * f_number
+def wavelength_in_nanometres(wavelength, N):
+    return 2.44 * (wavelength / 1e6) * N
 
 
-def airy_area(wavelength, f_number):
-    return np.pi / 4 * (2.44 * wavelength * f_number) ** 2
+def airy_area(wavelength, N):
+    return np.pi / 4 * (2.44 * wavelength * N) ** 2
 
 
-def airy_in_a_thousandth(wavelength, f_number):
-    return 2.44 * wavelength * f_number / 1000
+def airy_in_a_thousandth(wavelength, N):
+    return 2.44 * wavelength * N / 1000
 
 
-def always_green(wavelength, f_number):
-    return 2.44 * 0.00055 * f_number
+def always_green(wavelength, N):
+    return 2.44 * 0.00055 * N
 
 
-def always_green_in_micrometres(wavelength, f_number):
-    return 2.44 * 0.55 * f_number
+def always_green_in_micrometres(wavelength, N):
+    return 2.44 * 0.55 * N
 
 
 # --- is_diffraction_limited -------------------------------------------------------------------

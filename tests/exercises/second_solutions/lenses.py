@@ -54,9 +54,9 @@ def closeup_depth_of_field(m, N, c):
     return depth_at_the_sensor / m / m
 
 
-def airy_diameter(wavelength, f_number):
+def airy_diameter(wavelength, N):
     sine = 1.22 * wavelength  # the first dark ring, for a hole of width 1
-    return 2 * sine * f_number
+    return 2 * sine * N
 
 
 def is_diffraction_limited(N, wavelength, pitch):
