@@ -1,0 +1,125 @@
+"""Homographies: what a camera makes of a plane, found from points and their images.
+
+A homography is a 3 × 3 matrix whose scale means nothing: eight unknowns. Each point with its image
+gives two equations, so four points determine it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.checks import Array, check_pairs, check_rows, check_spread
+from course_lib.homogeneous import apply_homography
+from course_lib.homography_fit import (
+    check_plane_kept,
+    fit_homographies,
+    fit_homography,
+    refine_homography,
+    with_usual_scale,
+)
+from course_lib.linear_least_squares import solve_homogeneous
+
+__all__ = [
+    "apply_homography",
+    "fit_homographies",
+    "fit_homography",
+    "homography_dlt",
+    "normalise_points",
+    "refine_homography",
+]
+
+
+def normalise_points(points: ArrayLike) -> tuple[Array, Array]:
+    """Return points moved to the origin and scaled to a usual size, and the matrix that does it.
+
+    Parameters
+    ----------
+    points : array_like, shape (N, d)
+        Points in rows, of the plane (d = 2) or of space (d = 3), not all the same.
+
+    Returns
+    -------
+    normalised : ndarray, shape (N, d)
+        The points, shifted so that their mean is the origin, then all scaled by one factor so that
+        their mean distance from it is √d: √2 in the plane, √3 in space.
+    T : ndarray, shape (d + 1, d + 1)
+        The matrix that takes each ``(x, y, 1)`` to its normalised point, in homogeneous
+        coordinates.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the shape is wrong or a number is not finite.
+    DegenerateConfigurationError
+        If all points are the same.
+
+    References
+    ----------
+    Hartley & Zisserman, Multiple View Geometry, 2nd ed., section 4.4.4.
+
+    Examples
+    --------
+    >>> normalised, T = normalise_points([[0, 0], [4, 0], [4, 4], [0, 4]])
+    >>> T
+    array([[ 0.5,  0. , -1. ],
+           [ 0. ,  0.5, -1. ],
+           [ 0. ,  0. ,  1. ]])
+    """
+    points = check_rows(points, "points")
+    points = points[None] if points.ndim == 1 else points
+    check_spread(points, 1, "points")
+    d = points.shape[1]
+    centre = points.mean(axis=0)
+    scale = np.sqrt(d) / np.linalg.norm(points - centre, axis=1).mean()
+    T = np.diag([scale] * d + [1.0])
+    T[:d, d] = -scale * centre
+    return scale * (points - centre), T
+
+
+def homography_dlt(points: ArrayLike, targets: ArrayLike) -> Array:
+    """Return the homography that takes points to their targets, by the normalised DLT.
+
+    Parameters
+    ----------
+    points : array_like, shape (N, 2)
+        N ≥ 4 points ``(x, y)`` in rows.
+    targets : array_like, shape (N, 2)
+        Their images ``(u, v)``, with errors.
+
+    Returns
+    -------
+    ndarray, shape (3, 3)
+        H with ``H[2, 2] = 1``, or of length 1 if that entry is zero.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a shape is wrong, a number is not finite, or there are fewer than four points.
+    DegenerateConfigurationError
+        If the points or the targets are on one line, or all but one of them are.
+
+    References
+    ----------
+    Hartley & Zisserman, Multiple View Geometry, 2nd ed., algorithm 4.2.
+
+    Examples
+    --------
+    >>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
+    >>> homography_dlt(square, [[0, 0], [2, 0], [2, 3], [0, 3]]).round(9) + 0.0
+    array([[2., 0., 0.],
+           [0., 3., 0.],
+           [0., 0., 1.]])
+    """
+    points, targets = check_pairs(points, targets, (2, 2), ("points", "targets"), least=4)
+    for array, name in ((points, "points"), (targets, "targets")):
+        check_spread(array, 2, name)
+    near_points, T_points = normalise_points(points)
+    near_targets, T_targets = normalise_points(targets)
+    (x, y), (u, v) = near_points.T, near_targets.T
+    one, zero = np.ones_like(x), np.zeros_like(x)
+    rows_u = np.stack([x, y, one, zero, zero, zero, -u * x, -u * y, -u], axis=1)
+    rows_v = np.stack([zero, zero, zero, x, y, one, -v * x, -v * y, -v], axis=1)
+    H = solve_homogeneous(np.concatenate([rows_u, rows_v])).reshape(3, 3)
+    check_plane_kept(H)
+    return with_usual_scale(np.linalg.inv(T_targets) @ H @ T_points)

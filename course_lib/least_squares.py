@@ -1,0 +1,182 @@
+"""Least squares: many measurements, few unknowns, and the answer that leaves the smallest squares.
+
+Measurements contradict each other a little. Of all answers, take the one for which the sum of the
+squared residuals, measured minus computed, is smallest.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.checks import (
+    SMALLEST,
+    Array,
+    DegenerateConfigurationError,
+    check_numbers,
+    check_pairs,
+    check_spread,
+)
+from course_lib.levenberg_marquardt import Fit, levenberg_marquardt
+from course_lib.linear_least_squares import (
+    parameter_covariance,
+    solve_homogeneous,
+    solve_normal_equations,
+    solve_qr,
+    solve_svd,
+    solve_weighted,
+)
+from course_lib.robust_least_squares import RobustFit, huber_weights, solve_robust
+
+__all__ = [
+    "Fit",
+    "RobustFit",
+    "fit_affine",
+    "fit_line",
+    "huber_weights",
+    "levenberg_marquardt",
+    "parameter_covariance",
+    "solve_homogeneous",
+    "solve_normal_equations",
+    "solve_one_unknown",
+    "solve_qr",
+    "solve_robust",
+    "solve_svd",
+    "solve_weighted",
+]
+
+
+def solve_one_unknown(a: ArrayLike, b: ArrayLike) -> float:
+    """Return the one unknown x for which the equations ``a x = b`` are best fulfilled.
+
+    Parameters
+    ----------
+    a, b : array_like, shape (N,)
+        Left and right numbers of N equations ``a[i] x = b[i]`` that contradict each other a little.
+
+    Returns
+    -------
+    float
+        The x for which the sum of the squares ``(a[i] x - b[i])²`` is smallest.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the shapes differ or a number is not finite.
+    DegenerateConfigurationError
+        If all of `a` is zero: then x may be anything.
+
+    References
+    ----------
+    G. Strang, Introduction to Linear Algebra, 5th ed., section 4.2.
+
+    Examples
+    --------
+    >>> solve_one_unknown([2, 3, 4], [2, 3, 4])
+    1.0
+    >>> solve_one_unknown([1, 1], [10, 20])  # two measurements of one length: their mean
+    15.0
+    """
+    a, b = _check_pair(a, b, "a", "b")
+    if np.abs(a).max() < SMALLEST:
+        raise DegenerateConfigurationError("all numbers of a are zero: x may be anything")
+    return float(a @ b / (a @ a))
+
+
+def fit_line(x: ArrayLike, y: ArrayLike) -> tuple[float, float]:
+    """Return the line ``y = slope x + intercept`` that fits points best, measured along y.
+
+    Parameters
+    ----------
+    x, y : array_like, shape (N,)
+        Coordinates of N ≥ 2 points. The errors are in `y`: x is what was set, y what was measured.
+
+    Returns
+    -------
+    slope, intercept : float
+        Those for which the sum of the squares ``(slope x[i] + intercept - y[i])²`` is smallest.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the shapes differ, a number is not finite, or there are fewer than two points.
+    DegenerateConfigurationError
+        If all x are the same (to twelve digits): the line is vertical or a point.
+
+    References
+    ----------
+    G. Strang, Introduction to Linear Algebra, 5th ed., section 4.3.
+
+    Examples
+    --------
+    >>> slope, intercept = fit_line([0, 1, 2], [1, 3, 5])
+    >>> round(slope, 9), round(intercept, 9)
+    (2.0, 1.0)
+    """
+    x, y = _check_pair(x, y, "x", "y", least=2)
+    if np.ptp(x) <= 1e-12 * np.abs(x).max():
+        raise DegenerateConfigurationError(
+            "all x are the same, so there is no slope: measure at different x"
+        )
+    A = np.stack([x, np.ones_like(x)], axis=1)  # a row (x, 1) for each point
+    slope, intercept = solve_qr(A, y)
+    return float(slope), float(intercept)
+
+
+def fit_affine(points: ArrayLike, targets: ArrayLike) -> Array:
+    """Return the affine map of the plane that takes points to their targets best.
+
+    Parameters
+    ----------
+    points : array_like, shape (N, 2)
+        N ≥ 3 points ``(x, y)`` in rows, not all on one line.
+    targets : array_like, shape (N, 2)
+        Where each point should go, ``(u, v)``: with errors.
+
+    Returns
+    -------
+    ndarray, shape (2, 3)
+        The matrix A for which the sum of the squared distances between ``A (x, y, 1)`` and the
+        targets is smallest.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the shapes differ, a number is not finite, or there are fewer than three points.
+    DegenerateConfigurationError
+        If the points are all on one line (to twelve digits).
+
+    References
+    ----------
+    Hartley & Zisserman, Multiple View Geometry, 2nd ed., section 2.4.3.
+
+    Examples
+    --------
+    >>> fit_affine([[0, 0], [1, 0], [0, 1]], [[10, 20], [12, 20], [10, 23]]).round(9) + 0.0
+    array([[ 2.,  0., 10.],
+           [ 0.,  3., 20.]])
+    """
+    points, targets = check_pairs(points, targets, (2, 2), ("points", "targets"), least=3)
+    check_spread(points, 2, "points")
+    X = np.concatenate([points, np.ones_like(points[:, :1])], axis=1)  # a row (x, y, 1) each
+    # Two problems with the same left side: one for u, one for v.
+    return solve_qr(X, targets).T
+
+
+def _check_pair(
+    one: ArrayLike, other: ArrayLike, name: str, other_name: str, least: int = 1
+) -> tuple[Array, Array]:
+    """Return two rows of as many numbers."""
+    one, other = check_numbers(one, name), check_numbers(other, other_name)
+    if one.ndim != 1 or other.ndim != 1:
+        raise ValueError(
+            f"{name} and {other_name} must be rows of numbers, got shapes {one.shape} and "
+            f"{other.shape}"
+        )
+    if len(one) != len(other):
+        raise ValueError(
+            f"{name} and {other_name} belong together in pairs, got {len(one)} and {len(other)}"
+        )
+    if len(one) < least:
+        raise ValueError(f"{name} must be {least} numbers or more, got {len(one)}")
+    return one, other
