@@ -1,0 +1,30 @@
+"""The still figures of chapter 05, one function each."""
+
+from __future__ import annotations
+
+from course_lib.drawing.distortion.boards import bent_lines
+from course_lib.drawing.distortion.fields import displacement_fields
+from course_lib.drawing.distortion.fisheye import angles, fisheye_street
+from course_lib.drawing.distortion.mapping import (
+    before_and_after,
+    forward_and_backward,
+    iterations,
+    undone,
+)
+from course_lib.drawing.distortion.models import barrel_and_pincushion, profiles, where_it_acts
+from course_lib.drawing.distortion.rails import rails
+
+__all__ = [
+    "angles",
+    "barrel_and_pincushion",
+    "before_and_after",
+    "bent_lines",
+    "displacement_fields",
+    "fisheye_street",
+    "forward_and_backward",
+    "iterations",
+    "profiles",
+    "rails",
+    "undone",
+    "where_it_acts",
+]

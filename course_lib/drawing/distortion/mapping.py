@@ -1,0 +1,220 @@
+"""Still figures: the way back from a distorted point, and from a distorted picture."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from course_lib.distortion import undistort_pixels, undistort_points
+from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape
+from course_lib.drawing.distortion.pictures import (
+    NOWHERE,
+    SIZE,
+    K,
+    Picture,
+    house_through,
+    looked_up,
+    straight_map,
+)
+from course_lib.drawing.style import FULL_WIDTH, ROLES
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+HOUSE_LENS = (-0.2,)
+
+
+@figure(
+    "Error after each step of the fixed-point iteration and of Newton's method, for a mild barrel "
+    "and for a strong pincushion; there the iteration does not settle."
+)
+def iterations(r: float = 0.7, steps: int = 10) -> Figure:
+    """Show how two methods undo the distortion of one point, step by step.
+
+    Parameters
+    ----------
+    r : float
+        Ideal distance of the point from the centre, no unit.
+    steps : int
+        How many steps.
+
+    Returns
+    -------
+    Figure
+        Errors on a logarithmic axis, a panel for each lens.
+    """
+    fig, axes = panels(1, 2, (FULL_WIDTH, 3.2), sharey=True)
+    for ax, k1, name in zip(axes, (-0.2, 0.8), ("mild barrel", "strong pincushion"), strict=True):
+        for method, style, role in ((fixed_point, "o-", "object"), (newton, "s--", "camera")):
+            errors = np.abs(method(r * (1 + k1 * r**2), k1, steps) - r)
+            label = method.__name__.replace("_", " ").replace("newton", "Newton")
+            ax.plot(np.maximum(errors, 1e-17), style, color=ROLES[role], ms=5, label=label)
+        ax.set(yscale="log", ylim=(1e-17, 10), xlabel="step (no unit)")
+        ax.set_title(f"{name}, $k_1$ = {k1:g}".replace("-", "−"), fontsize=11)
+    axes[0].set_ylabel("error of r (no unit)")
+    axes[0].legend(fontsize=10)
+    return fig
+
+
+def fixed_point(r_d: float, k1: float, steps: int) -> Floats:
+    """Return the first guesses of r: from each, take off what is too much of its image.
+
+    Parameters
+    ----------
+    r_d : float
+        Distorted distance from the centre, no unit; the first guess.
+    k1 : float
+        Radial coefficient.
+    steps : int
+        How many steps.
+
+    Returns
+    -------
+    ndarray, shape (steps + 1,)
+        The guesses.
+    """
+    guesses = [r_d]
+    for _ in range(steps):
+        guesses.append(guesses[-1] - (guesses[-1] * (1 + k1 * guesses[-1] ** 2) - r_d))
+    return np.array(guesses)
+
+
+def newton(r_d: float, k1: float, steps: int) -> Floats:
+    """Return the guesses of Newton's method; arguments as for `fixed_point`."""
+    guesses = [r_d]
+    for _ in range(steps):
+        r = guesses[-1]
+        guesses.append(r - (r * (1 + k1 * r**2) - r_d) / (1 + 3 * k1 * r**2))
+    return np.array(guesses)
+
+
+@figure("Distorted points, their ideal places, and those that a student's function found.")
+def undone(distorted: ArrayLike, k: ArrayLike, yours: ArrayLike | None = None) -> Figure:
+    """Show distorted points with arrows to the ideal points.
+
+    Parameters
+    ----------
+    distorted : array_like, shape (N, 2)
+        Points in normalised coordinates.
+    k : array_like
+        As in `course_lib.distortion.distort`.
+    yours : array_like, shape (N, 2), optional
+        Ideal points that a student's function gave.
+
+    Returns
+    -------
+    Figure
+        Both grids on the plane at distance 1.
+    """
+    bent = np.asarray(distorted, dtype=float)
+    ideal = undistort_points(bent, k)
+    fig, ax = panels(1, 1, (FULL_WIDTH, 4.2))
+    ax.plot(*bent.T, "o", color=ROLES["object"], ms=5, label="distorted")
+    ax.plot(*ideal.T, "o", color=ROLES["guide"], ms=9, mfc="none", label="ideal")
+    drawn = same_shape(yours, ideal)
+    if drawn is not None:
+        ax.plot(*drawn.T, "*", color=ROLES["second"], ms=8, ls="", label="yours")
+    ax.set(xlabel="x (no unit)", ylabel="y (no unit)", aspect="equal")
+    ax.invert_yaxis()
+    ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    return fig
+
+
+@figure(
+    "A corner of the house straightened twice: pixels sent forward leave black holes, pixels that "
+    "look backward leave none."
+)
+def forward_and_backward(corner: tuple[int, int] = (0, 0), side: int = 64) -> Figure:
+    """Show what happens when pixels are sent to their new places, and when they are looked up.
+
+    Parameters
+    ----------
+    corner : tuple of int
+        Column and row of the part that is shown, px.
+    side : int
+        Width of the part, px; it is three quarters as high.
+
+    Returns
+    -------
+    Figure
+        Distorted picture, forward, backward: each pixel by pixel.
+    """
+    bent = house_through(HOUSE_LENS)
+    shown = (bent, sent_forward(bent), looked_up(bent, straight_map(K, HOUSE_LENS, SIZE)))
+    fig, axes = panels(1, 3, (FULL_WIDTH, 2.6))
+    titles = ("With distortion", "Sent forward: holes", "Looked up backward")
+    for ax, picture, title in zip(axes, shown, titles, strict=True):
+        ax.imshow(picture)
+        (u, v), down = corner, 3 * side // 4
+        ax.set(xlim=(u - 0.5, u + side - 0.5), ylim=(v + down - 0.5, v - 0.5))
+        ax.axis("off")
+        ax.set_title(title, fontsize=11)
+    return fig
+
+
+def sent_forward(picture: Picture) -> Picture:
+    """Return a straightened picture in which every pixel was sent to the nearest new place."""
+    u, v = np.meshgrid(np.arange(SIZE[0]), np.arange(SIZE[1]))
+    old = np.stack([u.ravel(), v.ravel()], axis=1)
+    new = np.rint(undistort_pixels(old, K, HOUSE_LENS))
+    inside = ((new >= 0) & (new < SIZE)).all(axis=1)
+    straight = np.zeros_like(picture)
+    (to_u, to_v), (from_u, from_v) = new[inside].astype(int).T, old[inside].T
+    straight[to_v, to_u] = picture[from_v, from_u]
+    return straight
+
+
+@figure(
+    "A picture before and after it was straightened, with a straight edge laid over the same line "
+    "in both."
+)
+def before_and_after(
+    picture: NDArray[Any],
+    maps: ArrayLike | None,
+    lines: tuple[ArrayLike, ArrayLike],
+    part: tuple[int, int] | None = None,
+) -> Figure:
+    """Show a picture and the one that a map makes of it, with a straight edge over both.
+
+    Parameters
+    ----------
+    picture : ndarray, shape (height, width), uint8
+        Picture with distortion.
+    maps : array_like, shape (2, height, width), or None
+        Columns and rows in it, for each pixel of the new picture; None leaves that empty.
+    lines : tuple of array_like, each of shape (N, 2)
+        Points of the same line before and after, px.
+    part : tuple of int, optional
+        First and last column that are shown, px; the whole picture unless given.
+
+    Returns
+    -------
+    Figure
+        Two pictures.
+    """
+    height, width = picture.shape[:2]
+    straight = _by_map(picture, maps)
+    left, right = part or (0, width - 1)
+    fig, axes = panels(1, 2, (FULL_WIDTH, 3.9 * height / (right - left) + 0.3))
+    for ax, shown, line, title in zip(
+        axes, (picture, straight), lines, ("Before", "After"), strict=True
+    ):
+        picture_frame(ax, (width, height))
+        ax.set(xlim=(left - 0.5, right + 0.5), title=title)
+        if shown is not None:
+            ax.imshow(shown, vmin=0, vmax=255)
+            points = np.asarray(line, dtype=float)
+            ax.plot(*points[[0, -1]].T, color=ROLES["ray"], lw=1.2)
+            ax.plot(*points.T, "o", color=ROLES["object"], ms=3)
+    return fig
+
+
+def _by_map(picture: NDArray[Any], maps: ArrayLike | None) -> Picture | None:
+    """Return a picture that looks up its colours by a student's map, if that is one."""
+    places = same_shape(maps, np.zeros((2, *picture.shape[:2])))
+    if places is None:
+        return None
+    places = np.clip(np.where(np.isfinite(places), places, NOWHERE), NOWHERE, -NOWHERE)
+    return looked_up(picture, np.moveaxis(places, 0, -1).astype(np.float32))
