@@ -12,7 +12,7 @@ from course_lib.checks import Array
 
 NEAR = 0.05  # m: nothing nearer than this is drawn
 MARGIN = 50.0  # px: what is farther outside the picture is cut off
-SLAB = 1.5  # farthest by nearest distance of a slab
+SLAB = 2.0  # farthest by nearest distance of a slab
 FORWARD = np.array([0.0, 0.0, 1.0])
 
 
@@ -40,14 +40,15 @@ def clip(corners: Array, plane: Array, offset: float = 0.0) -> Array:
     distance = (corners @ plane - offset).tolist()
     if min(distance, default=0.0) >= 0:
         return corners
-    kept = []
+    kept, points = [], corners.tolist()  # plain numbers: arrays of three are slow
     for i, here in enumerate(distance):
         before = distance[i - 1]
         if (before >= 0) != (here >= 0):
             share = before / (before - here)
-            kept.append(corners[i - 1] + share * (corners[i] - corners[i - 1]))
+            pair = zip(points[i - 1], points[i], strict=True)
+            kept.append([old + share * (new - old) for old, new in pair])
         if here >= 0:
-            kept.append(corners[i])
+            kept.append(points[i])
     return np.array(kept).reshape(-1, 3)
 
 

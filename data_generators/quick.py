@@ -59,6 +59,7 @@ class QuickRenderer:
         self._texels = np.array([p.size for p in self._pyramids]).reshape(-1, 2) * self._repeat
         self._highest = np.array([p.highest for p in self._pyramids], int).reshape(-1, 2)
         self._textured: NDArray[np.bool_] = np.asarray(self._highest.any(axis=1))
+        self._plain = np.array([p.texture[0, 0] for p in patches], np.uint8).reshape(-1, 3)
         self._sides = side_table(
             self._outlines.corners, self._outlines.starts, self.origins, self.normals
         )
@@ -108,34 +109,20 @@ class QuickRenderer:
             return np.full((height, width, 3), background, np.uint8), nobody
         polygons = Polygons.of(parts).seen_through(camera.K)
         owners = paint.fill_owners(polygons, camera.image_size, self.subpixels)
-        maps, levels = self._texture_maps(np.array(patches), polygons.middle(), camera)
-        textures = [
-            self._pyramids[patch].level(*level)
-            for patch, level in zip(patches, levels, strict=True)
-        ]
-        textured = [k for k, texture in enumerate(textures) if texture.shape[:2] != (1, 1)]
-        colours = np.array([background, *(texture[0, 0] for texture in textures)])
-        colours[[k + 1 for k in textured]] = 0
-        picture = paint.coloured(owners, colours.astype(np.uint8), self.subpixels)
+        colours = np.concatenate([np.array([background], np.uint8), self._plain[patches]])
+        textured = np.flatnonzero(self._textured[patches])
+        colours[textured + 1] = 0
+        picture = paint.coloured(owners, colours, self.subpixels)
         boxes = paint.bounding_boxes(polygons, camera.image_size)
-        homographies = self._texels_from_pixels(maps, patches, textures, textured)
-        for k, homography in zip(textured, homographies, strict=True):
+        which = [patches[k] for k in textured.tolist()]
+        maps, textures = self._texture_maps(which, polygons.middle()[textured], camera)
+        for k, patch, homography, texture in zip(
+            textured.tolist(), which, maps, textures, strict=True
+        ):
             share, box = paint.share_of(owners, k + 1, boxes[k], self.subpixels)
             if share is not None and box is not None:
-                wrap = self._wraps[patches[k]]
-                paint.add_texture(picture, share, box, textures[k], homography, wrap)
+                paint.add_texture(picture, share, box, texture, homography, self._wraps[patch])
         return picture, owners
-
-    def _texels_from_pixels(
-        self, maps: Array, patches: list[int], textures: list[Texture], textured: list[int]
-    ) -> Array:
-        """Return homographies from the picture to texels for the pieces with a texture."""
-        sizes = np.array([textures[k].shape[1::-1] for k in textured]).reshape(-1, 2)
-        repeats = self._repeat[[patches[k] for k in textured]]
-        maps = maps[textured]
-        # The first texel's centre is half a texel from the edge.
-        maps[:, :2] = maps[:, :2] * (sizes * repeats)[:, :, None] - 0.5 * maps[:, 2:]
-        return maps
 
     def pieces(self, camera: Camera) -> tuple[list[int], list[Array]]:
         """Return the visible parts of the patches, in the order of painting.
@@ -205,9 +192,9 @@ class QuickRenderer:
         )
 
     def _texture_maps(
-        self, patches: NDArray[np.intp], middle: Array, camera: Camera
-    ) -> tuple[Array, list[tuple[int, int]]]:
-        """Return for each piece the homography (a, b) from pixel, and its texture's level."""
+        self, patches: list[int], middle: Array, camera: Camera
+    ) -> tuple[Array, list[Texture]]:
+        """Return for pieces of patches the homography texel from pixel, and the texture."""
         frames = camera.R @ self._frames[patches]
         frames[:, :, 2] += camera.t
         maps = np.linalg.inv(camera.K @ frames)
@@ -220,5 +207,9 @@ class QuickRenderer:
         area = np.abs(np.linalg.det(jacobian))
         slant = np.maximum(1, footprint.prod(axis=1) / np.maximum(3 * area, 1e-12))
         footprint /= np.sqrt(slant)[:, None]
-        levels = levels_for(footprint, self._highest[patches])
-        return np.asarray(maps), [(i, j) for i, j in levels.tolist()]
+        levels = levels_for(footprint, self._highest[patches]).tolist()
+        textures = [self._pyramids[p].level(*ij) for p, ij in zip(patches, levels, strict=True)]
+        sizes = np.array([texture.shape[1::-1] for texture in textures]).reshape(-1, 2)
+        # The first texel's centre is half a texel from the edge.
+        maps[:, :2] = maps[:, :2] * (sizes * self._repeat[patches])[:, :, None] - 0.5 * maps[:, 2:]
+        return np.asarray(maps), textures
