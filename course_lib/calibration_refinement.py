@@ -1,0 +1,157 @@
+"""The minimum of the reprojection error, by Levenberg–Marquardt with the poses eliminated.
+
+A pose only acts on its own view, so the normal equations have the shape of an arrow: one small
+block for each view, and one for the camera that all of them touch,
+
+    | U_i      W_i | | pose_i |     | g_i |
+    | W_iᵀ     V   | | camera | = - | g_c |
+
+Solving the blocks for their poses leaves ``(V - Σ W_iᵀ U_i⁻¹ W_i) camera = …``, a system as small
+as the camera, whatever the number of views. Use these functions through `course_lib.calibration`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from course_lib.calibration_model import CameraModel, State, derivative_blocks
+from course_lib.calibration_views import Views
+from course_lib.checks import Array, DegenerateConfigurationError
+
+#: A step that promises to lower the sum of squares by less, relative to itself, is the last one.
+LAST_GAIN = 1e-11
+STEPS = 100
+#: With more damping a step is too short to change anything.
+TOO_STIFF = 1e12
+#: Residuals of so many px are rounding.
+ROUNDING = 1e-11
+
+
+class Normals(NamedTuple):
+    """The normal equations of all views, in their blocks, and the sum of squared residuals.
+
+    Attributes
+    ----------
+    V, g_c : ndarray, shape (n, n) and (n,)
+        Block and gradient of the camera's free numbers.
+    U, g_p : ndarray, shape (v, 6, 6) and (v, 6)
+        Blocks and gradients of the poses.
+    W : ndarray, shape (v, 6, n)
+        What ties them together.
+    cost : float
+        Sum of squared residuals, px²; infinite where a point is not before the camera.
+    """
+
+    V: Array
+    g_c: Array
+    U: Array
+    g_p: Array
+    W: Array
+    cost: float
+
+    def solve(self, damping: float) -> tuple[Array, Array]:
+        """Return the steps of the camera and of the poses, by Marquardt's damped equations."""
+        U = self.U + damping * self.U * np.eye(6)
+        solved = np.linalg.solve(U, np.concatenate([self.W, self.g_p[..., None]], axis=2))
+        by_camera, alone = solved[..., :-1], solved[..., -1]  # U⁻¹ W and U⁻¹ g
+        V = self.V + damping * np.diag(np.diag(self.V)) - _summed(self.W, by_camera)
+        camera = np.linalg.solve(V, _summed(self.W, alone[..., None])[:, 0] - self.g_c)
+        return np.asarray(camera), np.asarray(-alone - by_camera @ camera)
+
+    def inverse_blocks(self) -> tuple[Array, Array]:
+        """Return the inverse's block of the camera, (n, n), and its diagonal of the poses, (v, 6).
+
+        The camera's is the inverse of what is left of V after the poses are eliminated, S⁻¹; a
+        pose's is ``U⁻¹ + U⁻¹ W S⁻¹ Wᵀ U⁻¹``: its own uncertainty, and what the camera's adds.
+        """
+        inverse = np.linalg.inv(self.U)
+        ties = inverse @ self.W
+        camera = np.linalg.inv(self.V - _summed(self.W, ties))
+        camera = (camera + camera.T) / 2
+        poses = np.einsum("vii->vi", inverse) + np.einsum("vij,jk,vik->vi", ties, camera, ties)
+        return camera, poses
+
+
+def _summed(left: Array, right: Array) -> Array:
+    """Return ``Σ left_iᵀ right_i``: one product, with the views below each other."""
+    return np.asarray(left.reshape(-1, left.shape[-1]).T @ right.reshape(-1, right.shape[-1]))
+
+
+def normal_equations(state: State, views: Views, model: CameraModel) -> Normals:
+    """Return the normal equations at a state, one product of matrices for each view."""
+    products = []
+    for block in derivative_blocks(state, views, model):
+        rows = block.reshape(*block.shape[:2], -1)
+        products.append(rows @ rows.transpose(0, 2, 1))
+    N, n = np.concatenate(products), len(model.names)
+    camera = N.sum(axis=0)
+    cost = float(camera[-1, -1])
+    return Normals(
+        V=camera[:n, :n],
+        g_c=camera[:n, -1],
+        U=N[:, n:-1, n:-1],
+        g_p=N[:, n:-1, -1],
+        W=N[:, n:-1, :n],
+        cost=cost if np.isfinite(cost) else np.inf,
+    )
+
+
+def refined(
+    start: State, views: Views, model: CameraModel, last_gain: float = LAST_GAIN
+) -> tuple[State, Normals]:
+    """Return the state with the smallest sum of squared residuals near a start.
+
+    Parameters
+    ----------
+    start : State
+        Camera and poses to begin with; every point before the camera.
+    views : Views
+        The measurements.
+    model : CameraModel
+        What is free.
+    last_gain : float
+        A step that promises to lower the sum of squares by less, relative to itself, is the last.
+
+    Returns
+    -------
+    State, Normals
+        The minimum, and the normal equations before the last step, which was that small.
+
+    Raises
+    ------
+    DegenerateConfigurationError
+        If the equations are singular, or no step leads down.
+
+    References
+    ----------
+    D. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters" (1963); B.
+    Triggs et al., "Bundle adjustment: a modern synthesis" (2000), section 6.1 (Schur complement).
+    """
+    state, normals, damping = start, normal_equations(start, views, model), 1e-4
+    nothing = views.observations * ROUNDING**2
+    for _ in range(STEPS):
+        camera_step, pose_steps = _solved(normals, damping)
+        gain = -(normals.g_c @ camera_step + (normals.g_p * pose_steps).sum())
+        if normals.cost <= nothing or damping > TOO_STIFF:
+            break
+        trial = state.moved(model, camera_step, pose_steps)
+        if gain <= last_gain * normals.cost and damping <= 1:
+            return trial, normals
+        ahead = normal_equations(trial, views, model) if trial.is_camera else normals
+        if ahead.cost < normals.cost:
+            state, normals, damping = trial, ahead, damping / 10
+        else:
+            damping *= 10
+    return state, normals
+
+
+def _solved(normals: Normals, damping: float) -> tuple[Array, Array]:
+    try:
+        return normals.solve(damping)
+    except np.linalg.LinAlgError as error:
+        raise DegenerateConfigurationError(
+            "the views do not determine the camera: tilt the board in different directions, and "
+            "leave fewer numbers free"
+        ) from error

@@ -1,0 +1,137 @@
+"""Where the refinement begins: Zhang's closed form for all views at once.
+
+Use these functions through `course_lib.calibration`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.calibration_model import CameraModel, State
+from course_lib.calibration_views import Views
+from course_lib.checks import Array, DegenerateConfigurationError, check_intrinsics
+from course_lib.distortion_model import check_coefficients
+from course_lib.homography import fit_homographies
+from course_lib.zhang import (
+    homography_constraints,
+    initial_distortion,
+    intrinsics_from_homographies,
+    pose_from_homography,
+)
+
+#: Between these, times the size of the picture, lie the focal lengths of most cameras.
+LIKELY_FOCAL = (0.2, 20.0)
+
+
+def view_homographies(views: Views) -> Array:
+    """Return the homography of each view, board to pixels, shape (V, 3, 3)."""
+    Hs = np.empty((len(views.pixels), 3, 3))
+    for count in np.unique(views.counts):
+        some = views.counts == count
+        points = views.points[0] if len(views.points) == 1 else views.points[some]
+        board = points[..., :2, :count].swapaxes(-1, -2)
+        Hs[some] = fit_homographies(board, views.pixels[some, :, :count].swapaxes(-1, -2))
+    return Hs
+
+
+def starting_state(
+    views: Views,
+    Hs: Array,
+    image_size: Array,
+    model: CameraModel,
+    start: tuple[ArrayLike, ArrayLike] | None,
+) -> State:
+    """Return a camera and poses from homographies.
+
+    Parameters
+    ----------
+    views : Views
+        The measurements.
+    Hs : ndarray, shape (V, 3, 3)
+        Homography of each view, board to pixels.
+    image_size : ndarray, shape (2,)
+        Width and height, px.
+    model : CameraModel
+        What will be estimated.
+    start : tuple of array_like, or None
+        Intrinsics and distortion to begin with instead.
+
+    Returns
+    -------
+    State
+        The start, with k1 and k2 if the model has them.
+    """
+    camera = np.zeros(17)
+    if start is None:
+        K = starting_intrinsics(Hs, image_size, model)
+    else:
+        K, camera[5:] = check_intrinsics(start[0]), check_coefficients(start[1])
+    camera[:5] = K[0, 0], K[1, 1], K[0, 1], K[0, 2], K[1, 2]
+    R, t = pose_from_homography(K, Hs)
+    state = State(camera, R, t)
+    return state if start is not None else with_distortion(state, views, model)
+
+
+def starting_intrinsics(Hs: Array, image_size: Array, model: CameraModel) -> Array:
+    """Return K in closed form, or with the principal point in the middle where that fails."""
+    middle = (image_size - 1) / 2
+    scale = image_size.max() / 2
+    to_unit = np.array([[1, 0, -middle[0]], [0, 1, -middle[1]], [0, 0, scale]]) / scale
+    units = to_unit @ Hs  # so that the numbers of the equations are of one size
+    try:
+        if not model.principal_point or len(Hs) < (3 if model.skew else 2):
+            raise DegenerateConfigurationError("fewer unknowns than the closed form has")
+        K = intrinsics_from_homographies(units)
+    except DegenerateConfigurationError:
+        K = _centred_intrinsics(units, model)
+    if not _likely(K):
+        K = _centred_intrinsics(units, model)
+    K = np.linalg.inv(to_unit) @ K
+    K /= K[2, 2]
+    K[0, 1] *= model.skew
+    if model.square_pixels:
+        K[0, 0] = K[1, 1] = (K[0, 0] + K[1, 1]) / 2
+    return np.asarray(K)
+
+
+def _likely(K: Array) -> bool:
+    """Return whether K, in half pictures from the middle, is one that a camera could have."""
+    return bool((np.abs(K[:2, 2]) < 1).all() and _likely_focal(K[0, 0]) and _likely_focal(K[1, 1]))
+
+
+def _likely_focal(f: float) -> bool:
+    low, high = LIKELY_FOCAL
+    return low < f / 2 < high
+
+
+def _centred_intrinsics(units: Array, model: CameraModel) -> Array:
+    """Return K with only fx and fy, or one f, from the same equations: B12 = B13 = B23 = 0.
+
+    Homographies from pixels counted from the middle, of any scale.
+    """
+    units = units / np.linalg.norm(units, axis=(1, 2), keepdims=True)
+    V = homography_constraints(units).reshape(-1, 6)
+    # v · (1/fx², 0, 1/fy², 0, 0, 1) = 0
+    left, right = V[:, [0, 2]], -V[:, 5]
+    if model.square_pixels:
+        left = left.sum(axis=1, keepdims=True)
+    inverse, *_ = np.linalg.lstsq(left, right, rcond=None)
+    low, high = (1 / (2 * f) ** 2 for f in reversed(LIKELY_FOCAL))
+    fx, fy = 1 / np.sqrt(np.clip(np.broadcast_to(inverse, 2), low, high))
+    return np.array([[fx, 0, 0], [0, fy, 0], [0, 0, 1]])
+
+
+def with_distortion(state: State, views: Views, model: CameraModel) -> State:
+    """Return the state with Zhang's first guess of k1 and k2, if the model has both."""
+    if not {"k1", "k2"} <= set(model.coefficients):
+        return state
+    fx, fy, s, cx, cy = state.camera[:5]
+    K = np.array([[fx, s, cx], [0, fy, cy], [0, 0, 1]])
+    X = state.R @ views.points + state.t[:, :, None]
+    ideal = (K[:2] @ (X / X[:, 2:])).transpose(0, 2, 1)
+    observed = views.pixels.transpose(0, 2, 1)
+    seen = slice(None) if views.weights is None else views.weights > 0
+    camera = state.camera.copy()
+    camera[5:7] = initial_distortion(ideal[seen].reshape(-1, 2), observed[seen].reshape(-1, 2), K)
+    return State(camera, state.R, state.t)
