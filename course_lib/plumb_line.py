@@ -78,9 +78,10 @@ def straightness(points: ArrayLike) -> float:
     >>> round(straightness([[0, 0], [1, 0.3], [2, 0]]), 6)
     0.141421
     """
-    points = _check_line(points)
-    distances, _ = _across(points)
-    return float(np.sqrt(np.mean(distances**2)))
+    points = check_line(points)
+    # The least singular value is the root of the sum of the squares across the best line.
+    across = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)[1]
+    return float(across / np.sqrt(len(points)))
 
 
 def distortion_from_lines(lines: Sequence[ArrayLike], K: ArrayLike, terms: int = 2) -> PlumbLines:
@@ -129,7 +130,7 @@ def distortion_from_lines(lines: Sequence[ArrayLike], K: ArrayLike, terms: int =
 
     if terms not in (1, 2):
         raise ValueError(f"terms must be 1 (k1) or 2 (k1 and k2), got {terms!r}")
-    pixels = [_check_line(line) for line in lines]
+    pixels = [check_line(line) for line in lines]
     if not pixels:
         raise ValueError("lines must be one or more lines, got none")
     K, count = check_intrinsics(K), sum(map(len, pixels))
@@ -199,7 +200,8 @@ def _across(points: Array) -> tuple[Array, Array]:
     return centred @ normal, normal
 
 
-def _check_line(points: ArrayLike) -> Array:
+def check_line(points: ArrayLike) -> Array:
+    """Return points of one line, shape ``(N, 2)`` with three or more rows."""
     points = check_points(points, 2, "points of a line")
     if points.ndim != 2 or len(points) < 3:
         raise ValueError(

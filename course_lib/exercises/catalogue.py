@@ -14,6 +14,7 @@ CHAPTERS = {
     "homogeneous": "02_homogeneous",
     "lenses": "03_lenses",
     "sensor": "04_sensor",
+    "distortion": "05_distortion",
 }
 
 

@@ -162,8 +162,12 @@ def _watch_calls(exercise: Exercise, called: set[str]) -> Iterator[None]:
     forbidden = {name.rpartition(".")[2]: name for name in exercise.forbidden}
 
     def watch(frame: FrameType, event: str, argument: Any) -> None:
+        name = frame.f_code.co_name
         if event == "call" and frame.f_code is reference.__code__:
             called.add(f"{reference.__module__}.{reference.__name__}")
+        elif event == "call" and name in forbidden:  # a student's own may have the same name
+            if forbidden[name] == f"{frame.f_globals.get('__name__')}.{name}":
+                called.add(forbidden[name])
         elif event == "c_call" and getattr(argument, "__name__", "") in forbidden:
             called.add(forbidden[argument.__name__])
 

@@ -108,7 +108,8 @@ class Exercise:
     compare : callable
         How an answer is compared with the expected one.
     forbidden : sequence of str
-        Names of ready-made functions that would answer the exercise in one line.
+        Full names of ready-made functions that would answer the exercise in one line; those of
+        Python with the module in which they are defined.
     """
 
     chapter: str

@@ -27,7 +27,7 @@ EXERCISE = Exercise(
     doubled,
     parts={"some numbers": draw},
     misconceptions=[Misconception(lambda numbers: numbers, "Is it twice as much?")],
-    forbidden=("numpy.add.reduce", "math.fsum"),
+    forbidden=("numpy.add.reduce", "math.fsum", "textwrap.dedent"),
 )
 CASES = pose(EXERCISE, 1)
 
@@ -210,6 +210,16 @@ def test_calls_of_forbidden_builtins_are_noted():
     import math
 
     assert first(lambda numbers: math.fsum(numbers)).called == ("math.fsum",)
+
+
+def test_calls_of_forbidden_functions_are_noted_by_the_module_that_defines_them():
+    import textwrap
+
+    def dedent(numbers):  # a student's own function may have that name
+        return 2 * numbers
+
+    assert first(lambda numbers: textwrap.dedent(" 2")).called == ("textwrap.dedent",)
+    assert first(lambda numbers: dedent(numbers)).called == ()
 
 
 def test_profile_function_and_alarm_are_restored():

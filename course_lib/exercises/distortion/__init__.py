@@ -1,0 +1,27 @@
+"""Chapter 05: the exercises on lens distortion."""
+
+from course_lib.exercises.distortion.fisheye import FISHEYE_PROJECT
+from course_lib.exercises.distortion.inverses import (
+    EXPLAIN_FOLDED_CORNERS,
+    UNDISTORT_POINTS,
+    VALID_RADIUS,
+)
+from course_lib.exercises.distortion.models import (
+    DISTORT,
+    DISTORT_RADIAL,
+    DISTORT_RATIONAL_PRISM,
+)
+from course_lib.exercises.distortion.pictures import STRAIGHTNESS, UNDISTORTION_MAP
+
+#: In the order of the lesson.
+EXERCISES = (
+    DISTORT_RADIAL,
+    DISTORT,
+    UNDISTORT_POINTS,
+    VALID_RADIUS,
+    UNDISTORTION_MAP,
+    STRAIGHTNESS,
+    FISHEYE_PROJECT,
+    EXPLAIN_FOLDED_CORNERS,
+    DISTORT_RATIONAL_PRISM,
+)

@@ -1,0 +1,95 @@
+"""Wrong answers to the exercise of chapter 05 on fisheye lenses."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from course_lib.exercises.distortion.model_misconceptions import length, polynomial
+
+#: Powers of the angle beside the first.
+EVEN = (2, 4, 6, 8)
+
+
+def on_sensor(plane: Any, K: Any) -> Any:
+    return plane * [K[0, 0], K[1, 1]] + K[:2, 2]
+
+
+def sideways(points: Any) -> Any:
+    """Return how far points are from the axis."""
+    return np.hypot(points[:, 0], points[:, 1])
+
+
+def placed(points: Any, K: Any, way: Any) -> Any:
+    """Return the pixels of points that are imaged at some distance from the centre."""
+    return on_sensor(points[:, :2] * (way / sideways(points))[:, None], K)
+
+
+def imaged(points: Any, K: Any, k: Any, distance: Any = np.asarray, powers: Any = EVEN) -> Any:
+    """Return the image for a distance from the centre, given by the angle."""
+    angle = np.arctan2(sideways(points), points[:, 2])
+    return placed(points, K, distance(angle) * polynomial(angle, k, powers))
+
+
+def pinhole_instead(points, K, k):
+    return imaged(points, K, np.zeros(4), np.tan)
+
+
+def tangent_bent(points, K, k):
+    return imaged(points, K, k, np.tan)
+
+
+def polynomial_of_the_tangent(points, K, k):
+    r = length(points[:, :2] / points[:, 2:])
+    return on_sensor(points[:, :2] / points[:, 2:] * polynomial(r, k, EVEN), K)
+
+
+def sine_of_the_angle(points, K, k):
+    return imaged(points, K, k, np.sin)
+
+
+def angle_in_degrees(points, K, k):
+    angle = np.degrees(np.arctan2(sideways(points), points[:, 2]))
+    return placed(points, K, angle * polynomial(angle, k, EVEN))
+
+
+def nothing_behind(points, K, k):
+    angle = np.arctan(sideways(points) / points[:, 2])
+    return placed(points, K, angle * polynomial(angle, k, EVEN))
+
+
+def each_axis_alone(points, K, k):
+    angles = np.arctan2(points[:, :2], points[:, 2:])
+    return on_sensor(angles * polynomial(np.abs(angles), k, EVEN), K)
+
+
+def direction_not_unit(points, K, k):
+    return on_sensor(sideways(points)[:, None] * imaged(points, np.eye(3), k), K)
+
+
+def direction_from_tangents(points, K, k):
+    slope = (sideways(points) / points[:, 2])[:, None]
+    return on_sensor(slope * imaged(points, np.eye(3), k), K)
+
+
+def coefficients_left_out(points, K, k):
+    return imaged(points, K, np.zeros(4))
+
+
+def all_powers_of_the_angle(points, K, k):
+    return imaged(points, K, k, powers=(1, 2, 3, 4))
+
+
+def centre_left_out(points, K, k):
+    return imaged(points, K, k) - K[:2, 2]
+
+
+def one_focal_length(points, K, k):
+    K = np.array([[K[0, 0], 0, K[0, 2]], [0, K[0, 0], K[1, 2]], [0, 0, 1]])
+    return imaged(points, K, k)
+
+
+def sides_exchanged_in_the_angle(points, K, k):
+    angle = np.arctan2(points[:, 2], sideways(points))
+    return placed(points, K, angle * polynomial(angle, k, EVEN))

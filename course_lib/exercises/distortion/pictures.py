@@ -1,0 +1,140 @@
+"""Exercises of chapter 05 on pictures: the map that undistorts one, and lines that are straight."""
+
+from __future__ import annotations
+
+from course_lib import distortion
+from course_lib.exercises.distortion import inputs, plain
+from course_lib.exercises.distortion import picture_misconceptions as wrong
+from course_lib.judging import Close, Exercise, Misconception, Part
+
+UNDISTORTION_MAP = Exercise(
+    "distortion",
+    plain.undistortion_map,
+    points=7,
+    compare=Close(rtol=0, atol=1e-4),
+    parts={
+        "square pixels": Part(inputs.square_pixels, cases=2, weight=4),
+        "pixels that are not square": Part(inputs.oblong_pixels, cases=2, weight=3),
+    },
+    forbidden=(
+        "course_lib.distortion_pictures.undistortion_map",
+        "course_lib.distortion_pixels.distort_pixels",
+        "cv2.initUndistortRectifyMap",
+    ),
+    misconceptions=[
+        Misconception(
+            wrong.mapped_forward,
+            "For each pixel of the new picture you ask where to look in the old one. Which "
+            "direction of the lens is that?",
+        ),
+        Misconception(
+            wrong.pixels_bent,
+            "The lens model wants tangents. Are the pixels of a grid tangents?",
+        ),
+        Misconception(
+            wrong.pixels_from_the_centre_bent,
+            "Measured from the centre, but still in px. What else does K take off?",
+        ),
+        Misconception(
+            wrong.left_as_tangents,
+            "Your map holds tangents. What makes pixels of them?",
+        ),
+        Misconception(
+            wrong.centre_not_put_back,
+            "Your map is negative in the top left part. Which piece of K have you left off?",
+        ),
+        Misconception(
+            wrong.rows_before_columns,
+            "Which of the two maps should come first: columns, or rows?",
+        ),
+        Misconception(
+            wrong.width_before_height,
+            "Is the first number of an array's shape its width, or its height?",
+        ),
+        Misconception(
+            wrong.filled_in_the_wrong_order,
+            "All numbers are there, but in which shape did you put them back?",
+        ),
+        Misconception(
+            wrong.first_focal_length_for_both,
+            "Right for square pixels. Which focal length belongs to the rows?",
+        ),
+        Misconception(
+            wrong.centre_of_the_picture,
+            "Is the principal point the middle of the picture? Which numbers of K say where it is?",
+            also=[wrong.middle_of_the_pixels],
+        ),
+        Misconception(
+            wrong.first_pixel_is_one,
+            "Which numbers does the first pixel have in this course?",
+            also=[wrong.first_pixel_is_half],
+        ),
+        Misconception(
+            wrong.whole_pixels,
+            "Must one look at a whole pixel only, or also between two?",
+            also=[wrong.rounded_down],
+        ),
+        Misconception(
+            wrong.displacements,
+            "Is this where to look, or how far from there?",
+        ),
+    ],
+)
+
+STRAIGHTNESS = Exercise(
+    "distortion",
+    distortion.straightness,
+    points=5,
+    parts={
+        "gentle lines": Part(inputs.gentle_line, cases=2, weight=1),
+        "steep lines": Part(inputs.steep_line, cases=2, weight=1),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.vertical_distances,
+            "You measure straight up. What happens to that for a line that is nearly vertical?",
+        ),
+        Misconception(
+            wrong.line_of_vertical_distances,
+            "You measure across the line, but is it the one that fits best across?",
+        ),
+        Misconception(
+            wrong.mean_distance,
+            "This is a mean of distances. What does the first word of root mean square say?",
+        ),
+        Misconception(
+            wrong.largest_distance,
+            "This is the worst point. Which mean of all of them is asked for?",
+        ),
+        Misconception(
+            wrong.root_forgotten,
+            "In which unit is your answer, if the points are in px?",
+        ),
+        Misconception(
+            wrong.mean_forgotten,
+            "Twice as many points along the same line: should the answer grow?",
+        ),
+        Misconception(
+            wrong.signed_mean,
+            "Points on both sides of the line cancel. What keeps them from doing so?",
+        ),
+        Misconception(
+            wrong.by_the_ends,
+            "You trust the first and the last point. Do they lie on the best line?",
+        ),
+        Misconception(
+            wrong.along_the_line,
+            "Your number is as long as the line. Is the best line's direction the first or the "
+            "last one?",
+        ),
+        Misconception(
+            wrong.not_centred,
+            "Through which point does the best line pass? Does yours pass there?",
+        ),
+        Misconception(
+            wrong.by_freedom,
+            "A mean over all points: by which number do you divide?",
+            also=[wrong.by_one_less],
+        ),
+    ],
+)
