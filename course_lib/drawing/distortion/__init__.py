@@ -9,7 +9,7 @@ from course_lib.drawing.distortion.mapping import (
     before_and_after,
     forward_and_backward,
     iterations,
-    undone,
+    moved_points,
 )
 from course_lib.drawing.distortion.models import barrel_and_pincushion, profiles, where_it_acts
 from course_lib.drawing.distortion.rails import rails
@@ -23,8 +23,8 @@ __all__ = [
     "fisheye_street",
     "forward_and_backward",
     "iterations",
+    "moved_points",
     "profiles",
     "rails",
-    "undone",
     "where_it_acts",
 ]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.distortion import undistort_pixels, undistort_points
+from course_lib.distortion import distort, undistort_pixels, undistort_points
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape
 from course_lib.drawing.distortion.pictures import (
     NOWHERE,
@@ -90,34 +90,41 @@ def newton(r_d: float, k1: float, steps: int) -> Floats:
     return np.array(guesses)
 
 
-@figure("Distorted points, their ideal places, and those that a student's function found.")
-def undone(distorted: ArrayLike, k: ArrayLike, yours: ArrayLike | None = None) -> Figure:
-    """Show distorted points with arrows to the ideal points.
+@figure("Points before and after a lens, or after taking its distortion back, joined by lines.")
+def moved_points(
+    points: ArrayLike, coefficients: ArrayLike, yours: ArrayLike | None = None, back: bool = False
+) -> Figure:
+    """Show where a lens moves points, or from where it has moved them.
 
     Parameters
     ----------
-    distorted : array_like, shape (N, 2)
+    points : array_like, shape (N, 2)
         Points in normalised coordinates.
-    k : array_like
+    coefficients : array_like
         As in `course_lib.distortion.distort`.
     yours : array_like, shape (N, 2), optional
-        Ideal points that a student's function gave.
+        Where a student's function moves them.
+    back : bool
+        Whether `points` are distorted and the way back is shown.
 
     Returns
     -------
     Figure
-        Both grids on the plane at distance 1.
+        Dots for the points, circles for where they belong, stars for the student's.
     """
-    bent = np.asarray(distorted, dtype=float)
-    ideal = undistort_points(bent, k)
-    fig, ax = panels(1, 1, (FULL_WIDTH, 4.2))
-    ax.plot(*bent.T, "o", color=ROLES["object"], ms=5, label="distorted")
-    ax.plot(*ideal.T, "o", color=ROLES["guide"], ms=9, mfc="none", label="ideal")
-    drawn = same_shape(yours, ideal)
+    start = np.asarray(points, dtype=float)
+    end = (undistort_points if back else distort)(start, coefficients)
+    names = ("distorted", "ideal") if back else ("ideal", "distorted")
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.9))
+    ax.plot(*np.stack([start, end]).transpose(2, 0, 1), color=ROLES["guide"], lw=1)
+    ax.plot(*start.T, "o", color=ROLES["guide"], ms=4, label=names[0])
+    ax.plot(*end.T, "o", color=ROLES["object"], ms=11, mfc="none", mew=1.4, label=names[1])
+    drawn = same_shape(yours, end)
     if drawn is not None:
-        ax.plot(*drawn.T, "*", color=ROLES["second"], ms=8, ls="", label="yours")
-    ax.set(xlabel="x (no unit)", ylabel="y (no unit)", aspect="equal")
-    ax.invert_yaxis()
+        ax.plot(*drawn.T, "*", color=ROLES["second"], ms=9, ls="", label="yours")
+    reach = 1.25 * np.abs(np.stack([start, end])).max(axis=(0, 1))
+    ax.set(xlim=(-reach[0], reach[0]), ylim=(reach[1], -reach[1]), aspect="equal")
+    ax.set(xlabel="x (no unit)", ylabel="y (no unit)")
     ax.legend(loc="center left", bbox_to_anchor=(1, 0.5))
     return fig
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from course_lib.camera import camera_at
 from course_lib.distortion import (
+    distort,
     distort_pixels,
     normalised_from_pixels,
     undistort_pixels,
@@ -92,9 +93,27 @@ def house_through(coefficients: ArrayLike) -> Picture:
         RGB, with the intrinsics `K`; black beyond what the lens images.
     """
     source, wide = wide_house()
-    return looked_up(
-        source, mesh_map(lambda pixels: undistort_pixels(pixels, K, coefficients, wide), SIZE)
-    )
+
+    def where(pixels: Floats) -> Floats:
+        there, seen = np.full_like(pixels, np.nan), _within_reach(pixels, coefficients)
+        there[seen] = undistort_pixels(pixels[seen], K, coefficients, wide)
+        return there
+
+    return looked_up(source, mesh_map(where, SIZE))
+
+
+def _within_reach(pixels: Floats, coefficients: ArrayLike) -> NDArray[np.bool_]:
+    """Return which pixels lie inside the image of the circle up to which the lens is valid.
+
+    Pixels beyond it are the image of nothing, and finding that out one by one takes long.
+    """
+    limit = 0.999 * min(valid_radius(coefficients), 3.0)
+    turn = np.linspace(-np.pi, np.pi, 73)
+    edge = distort(limit * np.stack([np.cos(turn), np.sin(turn)], axis=1), coefficients)
+    angle, reach = np.arctan2(edge[:, 1], edge[:, 0]), np.hypot(*edge.T)
+    x, y = normalised_from_pixels(pixels, K).T
+    farthest = np.interp(np.arctan2(y, x), angle, reach, period=2 * np.pi)
+    return np.asarray(np.hypot(x, y) <= farthest)
 
 
 def straight_map(
