@@ -8,23 +8,22 @@ board to camera.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.calibration_degeneracy import (
-    check_determined,
-    check_enough,
-    check_order,
-    check_tilts,
-)
+from course_lib.calibration_degeneracy import check_enough, check_order, check_tilts
 from course_lib.calibration_judgement import reject_views, reprojection_residuals, rms_error
-from course_lib.calibration_model import CameraModel, State, residuals
-from course_lib.calibration_refinement import Normals, refined
+from course_lib.calibration_model import CameraModel
+from course_lib.calibration_refinement import minimised
+from course_lib.calibration_result import (
+    Calibration,
+    calibration_from_state,
+    residuals_and_jacobian,
+)
 from course_lib.calibration_start import starting_state, view_homographies
 from course_lib.calibration_views import Views, board_points, gather_views
 from course_lib.checks import Array, check_size
+from course_lib.least_squares import parameter_covariance
 from course_lib.zhang import (
     homography_constraints,
     initial_distortion,
@@ -40,59 +39,16 @@ __all__ = [
     "homography_constraints",
     "initial_distortion",
     "intrinsics_from_homographies",
+    "parameter_covariance",
     "pose_from_homography",
     "reject_views",
     "reprojection_residuals",
+    "residuals_and_jacobian",
     "rms_error",
 ]
 
 #: With more points in a view than this, a part of them is enough for the first steps.
 ENOUGH_POINTS = 60
-
-
-@dataclass(frozen=True, eq=False)
-class Calibration:
-    """A calibrated camera, and everything that tells how good it is.
-
-    Attributes
-    ----------
-    K : ndarray, shape (3, 3)
-        Intrinsics, px.
-    coefficients : ndarray, shape (1,), (2,), (4,), (5,), (8,) or (12,)
-        Distortion, as in `distort`.
-    poses : tuple of (R, t)
-        Pose of each view, board to camera; t in the unit of the board.
-    residuals : tuple of ndarray, shape (N, 2)
-        For each view, projected minus observed pixels.
-    rms : float
-        Root mean square of the residuals' lengths, px, over the points that count.
-    names : tuple of str
-        What was estimated of the camera.
-    sigma : dict of str to float
-        Standard deviation of each of `names`.
-    covariance : ndarray, shape (n, n)
-        Covariance of `names`, in their order.
-    pose_sigma : ndarray, shape (V, 6)
-        Standard deviations of each pose: turn about the camera's x, y, z (rad), then t.
-    image_size : tuple of int
-        Width and height of the pictures, px.
-    """
-
-    K: Array
-    coefficients: Array
-    poses: tuple[tuple[Array, Array], ...]
-    residuals: tuple[Array, ...]
-    rms: float
-    names: tuple[str, ...]
-    sigma: dict[str, float]
-    covariance: Array
-    pose_sigma: Array
-    image_size: tuple[int, int]
-
-    @property
-    def view_rms(self) -> Array:
-        """Root mean square of each view's residuals, px, shape (V,)."""
-        return np.array([rms_error(view) for view in self.residuals])
 
 
 def calibrate(
@@ -168,29 +124,5 @@ def calibrate_views(
     check_tilts(Hs, size, model)
     state = starting_state(few, Hs, size, model, start)
     if few is not views:
-        state, _ = refined(state, few, model, last_gain=1e-3)
-    state, normals = refined(state, views, model)
-    freedom = views.observations - len(model.names) - 6 * len(state.R)
-    check_determined(state, normals, normals.cost / freedom, model)
-    return _judged(state, normals, views, size, model)
-
-
-def _judged(
-    state: State, normals: Normals, views: Views, size: Array, model: CameraModel
-) -> Calibration:
-    """Return the result with residuals and standard deviations."""
-    freedom = views.observations - len(model.names) - 6 * len(state.R)
-    variance = normals.cost / freedom
-    covariance, poses = normals.inverse_blocks()
-    return Calibration(
-        K=state.K,
-        coefficients=state.coefficients(model),
-        poses=tuple(zip(state.R, state.t, strict=True)),
-        residuals=tuple(views.per_view(residuals(state, views))),
-        rms=float(np.sqrt(2 * normals.cost / views.observations)),
-        names=model.names,
-        sigma=dict(zip(model.names, np.sqrt(variance * np.diag(covariance)).tolist(), strict=True)),
-        covariance=variance * covariance,
-        pose_sigma=np.sqrt(variance * poses),
-        image_size=(int(size[0]), int(size[1])),
-    )
+        state, _ = minimised(state, few, last_gain=1e-3)
+    return calibration_from_state(*minimised(state, views), views, size)

@@ -77,14 +77,14 @@ def check_tilts(Hs: Array, image_size: Array, model: CameraModel) -> None:
         )
 
 
-def check_determined(state: State, normals: Normals, variance: float, model: CameraModel) -> None:
+def check_determined(state: State, normals: Normals, variance: float) -> None:
     """Raise if the minimum is so flat that a focal length could be anything."""
-    if not model.focal:
+    if not state.model.focal:
         return
     try:
         covariance, _ = normals.inverse_blocks()
     except np.linalg.LinAlgError:
-        covariance = np.full((len(model.names),) * 2, np.inf)
+        covariance = np.full((len(state.camera),) * 2, np.inf)
     share = np.sqrt(variance * covariance[0, 0]) / state.camera[0]
     if not share < VAGUE:
         raise DegenerateConfigurationError(

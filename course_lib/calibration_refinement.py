@@ -12,17 +12,21 @@ as the camera, whatever the number of views. Use these functions through `course
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple, Protocol, Self, TypeVar
 
 import numpy as np
 
-from course_lib.calibration_model import CameraModel, State, derivative_blocks
+from course_lib.calibration_derivatives import derivative_blocks
+from course_lib.calibration_model import State
 from course_lib.calibration_views import Views
 from course_lib.checks import Array, DegenerateConfigurationError
 
 #: A step that promises to lower the sum of squares by less, relative to itself, is the last one.
 LAST_GAIN = 1e-11
 STEPS = 100
+FIRST_DAMPING = 1e-4
 #: With more damping a step is too short to change anything.
 TOO_STIFF = 1e12
 #: Residuals of so many px are rounding.
@@ -79,68 +83,93 @@ def _summed(left: Array, right: Array) -> Array:
     return np.asarray(left.reshape(-1, left.shape[-1]).T @ right.reshape(-1, right.shape[-1]))
 
 
-def normal_equations(state: State, views: Views, model: CameraModel) -> Normals:
-    """Return the normal equations at a state, one product of matrices for each view."""
-    products = []
-    for block in derivative_blocks(state, views, model):
-        rows = block.reshape(*block.shape[:2], -1)
-        products.append(rows @ rows.transpose(0, 2, 1))
-    N, n = np.concatenate(products), len(model.names)
-    camera = N.sum(axis=0)
-    cost = float(camera[-1, -1])
+def arrow(products: Array) -> Normals:
+    """Return normal equations from their products, (v, n + 7, n + 7): camera, pose, residual."""
+    shared, n = products.sum(axis=0), products.shape[1] - 7
+    cost = float(shared[-1, -1])
     return Normals(
-        V=camera[:n, :n],
-        g_c=camera[:n, -1],
-        U=N[:, n:-1, n:-1],
-        g_p=N[:, n:-1, -1],
-        W=N[:, n:-1, :n],
+        V=shared[:n, :n],
+        g_c=shared[:n, -1],
+        U=products[:, n:-1, n:-1],
+        g_p=products[:, n:-1, -1],
+        W=products[:, n:-1, :n],
         cost=cost if np.isfinite(cost) else np.inf,
     )
 
 
+def view_products(state: State, views: Views) -> Array:
+    """Return all products of derivatives and residuals, summed over each view's points."""
+    products = []
+    for block in derivative_blocks(state, views):
+        rows = block.reshape(*block.shape[:2], -1)
+        products.append(rows @ rows.transpose(0, 2, 1))
+    return np.concatenate(products)
+
+
+def minimised(state: State, views: Views, last_gain: float = LAST_GAIN) -> tuple[State, Normals]:
+    """Return the state of one camera with the smallest reprojection error, as `refined`."""
+    return refined(state, partial(view_products, views=views), views.observations, last_gain)
+
+
+class Movable(Protocol):
+    """A camera or several, and the poses of a board: something that can take a step."""
+
+    @property
+    def is_camera(self) -> bool:
+        """Whether the numbers are those of a camera; a step can lead too far."""
+
+    def moved(self, camera_step: Array, pose_steps: Array) -> Self:
+        """Return what it is after a step."""
+
+
+S = TypeVar("S", bound=Movable)
+
+
 def refined(
-    start: State, views: Views, model: CameraModel, last_gain: float = LAST_GAIN
-) -> tuple[State, Normals]:
+    start: S,
+    products: Callable[[S], Array],
+    observations: int,
+    last_gain: float = LAST_GAIN,
+) -> tuple[S, Normals]:
     """Return the state with the smallest sum of squared residuals near a start.
 
     Parameters
     ----------
-    start : State
+    start : State, or another that can be moved
         Camera and poses to begin with; every point before the camera.
-    views : Views
-        The measurements.
-    model : CameraModel
-        What is free.
+    products : callable
+        Takes a state; returns the products that `arrow` takes.
+    observations : int
+        How many residuals there are.
     last_gain : float
         A step that promises to lower the sum of squares by less, relative to itself, is the last.
 
     Returns
     -------
-    State, Normals
+    state, Normals
         The minimum, and the normal equations before the last step, which was that small.
 
     Raises
     ------
     DegenerateConfigurationError
-        If the equations are singular, or no step leads down.
+        If the equations are singular.
 
     References
     ----------
     D. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters" (1963); B.
     Triggs et al., "Bundle adjustment: a modern synthesis" (2000), section 6.1 (Schur complement).
     """
-    state, normals, damping = start, normal_equations(start, views, model), 1e-4
-    nothing = views.observations * ROUNDING**2
+    state, normals, damping = start, arrow(products(start)), FIRST_DAMPING
     for _ in range(STEPS):
-        camera_step, pose_steps = _solved(normals, damping)
-        gain = -(normals.g_c @ camera_step + (normals.g_p * pose_steps).sum())
-        if normals.cost <= nothing or damping > TOO_STIFF:
+        if normals.cost <= observations * ROUNDING**2 or damping > TOO_STIFF:
             break
-        trial = state.moved(model, camera_step, pose_steps)
+        camera_step, pose_steps = _solved(normals, damping)
+        trial = state.moved(camera_step, pose_steps)
+        gain = -(normals.g_c @ camera_step + (normals.g_p * pose_steps).sum())
         if gain <= last_gain * normals.cost and damping <= 1:
             return trial, normals
-        ahead = normal_equations(trial, views, model) if trial.is_camera else normals
-        if ahead.cost < normals.cost:
+        ahead = arrow(products(trial)) if trial.is_camera else None
+        if ahead and ahead.cost < normals.cost:
             state, normals, damping = trial, ahead, damping / 10
         else:
             damping *= 10

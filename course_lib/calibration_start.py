@@ -8,10 +8,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.calibration_model import CameraModel, State
+from course_lib.calibration_model import CameraModel, State, camera_numbers
 from course_lib.calibration_views import Views
-from course_lib.checks import Array, DegenerateConfigurationError, check_intrinsics
-from course_lib.distortion_model import check_coefficients
+from course_lib.checks import Array, DegenerateConfigurationError
 from course_lib.homography import fit_homographies
 from course_lib.zhang import (
     homography_constraints,
@@ -62,15 +61,10 @@ def starting_state(
     State
         The start, with k1 and k2 if the model has them.
     """
-    camera = np.zeros(17)
-    if start is None:
-        K = starting_intrinsics(Hs, image_size, model)
-    else:
-        K, camera[5:] = check_intrinsics(start[0]), check_coefficients(start[1])
-    camera[:5] = K[0, 0], K[1, 1], K[0, 1], K[0, 2], K[1, 2]
-    R, t = pose_from_homography(K, Hs)
-    state = State(camera, R, t)
-    return state if start is not None else with_distortion(state, views, model)
+    given = (starting_intrinsics(Hs, image_size, model), [0]) if start is None else start
+    R, t = pose_from_homography(given[0], Hs)
+    state = State(model, camera_numbers(*given), R, t)
+    return state if start is not None else with_distortion(state, views)
 
 
 def starting_intrinsics(Hs: Array, image_size: Array, model: CameraModel) -> Array:
@@ -122,16 +116,15 @@ def _centred_intrinsics(units: Array, model: CameraModel) -> Array:
     return np.array([[fx, 0, 0], [0, fy, 0], [0, 0, 1]])
 
 
-def with_distortion(state: State, views: Views, model: CameraModel) -> State:
+def with_distortion(state: State, views: Views) -> State:
     """Return the state with Zhang's first guess of k1 and k2, if the model has both."""
-    if not {"k1", "k2"} <= set(model.coefficients):
+    if not {"k1", "k2"} <= set(state.model.coefficients):
         return state
-    fx, fy, s, cx, cy = state.camera[:5]
-    K = np.array([[fx, s, cx], [0, fy, cy], [0, 0, 1]])
+    K = state.K
     X = state.R @ views.points + state.t[:, :, None]
     ideal = (K[:2] @ (X / X[:, 2:])).transpose(0, 2, 1)
     observed = views.pixels.transpose(0, 2, 1)
     seen = slice(None) if views.weights is None else views.weights > 0
     camera = state.camera.copy()
     camera[5:7] = initial_distortion(ideal[seen].reshape(-1, 2), observed[seen].reshape(-1, 2), K)
-    return State(camera, state.R, state.t)
+    return State(state.model, camera, state.R, state.t)
