@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from course_lib.camera import Camera
 from course_lib.checks import Array, check_not_negative, check_number
+from course_lib.distortion_pixels import undistort_pixels
 from data_generators.lens import MM, Lens
 from data_generators.motion import Motion
 from data_generators.raycast import rays
@@ -62,6 +63,8 @@ class Aim:
         Where each ray passes the lens, to the right and down, m.
     times : ndarray, shape (N,)
         When, s.
+    distortion : ndarray, optional
+        Coefficients of the lens, as in `course_lib.distortion.distort`.
     """
 
     camera: Camera
@@ -69,6 +72,7 @@ class Aim:
     motion: Motion | None
     points: Array
     times: Array
+    distortion: Array | None = None
 
     def rays(self, pixels: Array) -> tuple[Array, Array]:
         """Return the rays that reach pixels, shape (N, 2), px, through these points of the lens.
@@ -77,7 +81,16 @@ class Aim:
         -------
         origins, directions : ndarray, shape (N, 3)
             In the world, m; the directions are unit vectors.
+
+        Raises
+        ------
+        ValueError
+            If the distortion folds the picture so that a pixel has no ray.
         """
+        if self.distortion is not None:
+            pixels = undistort_pixels(pixels, self.camera.K, self.distortion)
+            if not np.isfinite(pixels).all():
+                raise ValueError("this lens has no ray for some pixels: make its distortion weaker")
         origins, directions = rays(self.camera, pixels)
         if self.lens is not None:
             # A ray through the middle and one through the point meet where the lens is focused.
@@ -106,6 +119,7 @@ def aim_at(
     lens: Lens | None = None,
     shutter: Shutter | None = None,
     motion: Motion | None = None,
+    distortion: Array | None = None,
 ) -> Aim:
     """Return an even choice of points of the lens and of times for the samples of pixels.
 
@@ -117,7 +131,7 @@ def aim_at(
         Samples on the picture, px: `samples` × `samples` in each pixel.
     samples : int
         Samples a pixel, along each axis.
-    lens, shutter, motion
+    lens, shutter, motion, distortion
         What the camera has; nothing of it for a still pinhole camera.
 
     Returns
@@ -127,7 +141,8 @@ def aim_at(
         the same way every time.
     """
     if lens is None and shutter is None:
-        return Aim(camera, None, motion, np.zeros_like(pixels), np.zeros(len(pixels)))
+        still = np.zeros(len(pixels))
+        return Aim(camera, None, motion, np.zeros_like(pixels), still, distortion)
     column, row = np.floor(pixels + 0.5).T
     within = np.floor((pixels + 0.5 - np.stack([column, row], axis=1)) * samples)
     count = samples**2
@@ -140,4 +155,4 @@ def aim_at(
     start = column * EVEN[1] + row * EVEN[0] + (place * step % count + 0.5) / count
     shutter = shutter or Shutter()
     times = (start % 1 - 0.5) * shutter.exposure_time + row * shutter.row_time
-    return Aim(camera, lens, motion, points, times)
+    return Aim(camera, lens, motion, points, times, distortion)

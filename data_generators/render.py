@@ -62,7 +62,7 @@ def radiance(scene: Scene, camera: Camera, samples: int = 4, shot: Shot | None =
     index, shot = SceneIndex(scene), shot or Shot()
     for rows, columns in _tiles(width, height):
         pixels = _sample_points(rows, columns, samples)
-        aim = aim_at(camera, pixels, samples, shot.lens, shot.shutter, shot.motion)
+        aim = aim_at(camera, pixels, samples, shot.lens, shot.shutter, shot.motion, shot.distortion)
         light = _light(index, aim, pixels, 1 / samples)
         shape = (rows.stop - rows.start, samples, columns.stop - columns.start, samples, 3)
         picture[rows, columns] = light.reshape(shape).mean(axis=(1, 3))

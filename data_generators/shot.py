@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from course_lib.camera import Camera
 from course_lib.checks import Array, check_length
+from course_lib.distortion_model import check_coefficients
 from course_lib.sensor import SensorModel, bayer_mosaic, expose, vignetting
 from data_generators.aim import Shutter
 from data_generators.lens import Lens
@@ -21,6 +22,8 @@ class Shot:
 
     Attributes
     ----------
+    distortion : ndarray, optional
+        How the lens bends straight lines: coefficients as in `course_lib.distortion.distort`.
     lens : Lens, optional
         Makes what it is not focused on blurred. The camera's K must be that of `Lens.intrinsics`.
     shutter : Shutter, optional
@@ -40,9 +43,10 @@ class Shot:
     Raises
     ------
     TypeError, ValueError
-        If `white` is not positive.
+        If `white` is not positive, or `distortion` not made of coefficients.
     """
 
+    distortion: Array | None = None
     lens: Lens | None = None
     shutter: Shutter | None = None
     motion: Motion | None = None
@@ -53,6 +57,8 @@ class Shot:
 
     def __post_init__(self) -> None:
         check_length(self.white, "white")
+        if self.distortion is not None:
+            object.__setattr__(self, "distortion", check_coefficients(self.distortion))
 
     def on_sensor(self, radiance: Array, camera: Camera) -> Array:
         """Return the light on the sensor, by that of a white surface in the middle."""

@@ -10,7 +10,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from course_lib.boards import Charuco
 from course_lib.checks import Array
+from data_generators.markers import charuco_markers
 
 Grey = NDArray[np.uint8]
 
@@ -74,6 +76,70 @@ def dot_grid(columns: int, rows: int, pitch: int = 32, diameter: float = 0.5) ->
         return np.hypot(x % pitch - pitch / 2, y % pitch - pitch / 2) < diameter * pitch / 2
 
     return _drawn(columns * pitch, rows * pitch, dark)
+
+
+def square_grid(columns: int, rows: int, pitch: int = 32, side: float = 0.5) -> Grey:
+    """Return a grid of separate dark squares.
+
+    Parameters
+    ----------
+    columns, rows : int
+        Squares across and down.
+    pitch : int
+        From a square to the next, px.
+    side : float
+        Of a square, in pitches.
+
+    Returns
+    -------
+    ndarray, shape (rows pitch, columns pitch), uint8
+        The grid; the middle of the first square is half a pitch from both edges.
+
+    Raises
+    ------
+    ValueError
+        If a count is not positive.
+    """
+    _check_counts(columns=columns, rows=rows, pitch=pitch)
+
+    def dark(x: Array, y: Array) -> NDArray[np.bool_]:
+        away = np.maximum(np.abs(x % pitch - pitch / 2), np.abs(y % pitch - pitch / 2))
+        return np.asarray(away < side * pitch / 2)
+
+    return _drawn(columns * pitch, rows * pitch, dark)
+
+
+def charuco(board: Charuco, square: int = 64, border: float = 0.5) -> Grey:
+    """Return a checkerboard with a numbered marker in each light square.
+
+    Parameters
+    ----------
+    board : Charuco
+        The board.
+    square : int
+        Side of a square, px.
+    border : float
+        Width of the border in squares.
+
+    Returns
+    -------
+    ndarray, shape ((rows + 1 + 2 border) square, (columns + 1 + 2 border) square), uint8
+        The board.
+
+    Raises
+    ------
+    ValueError
+        If a count is not positive.
+    """
+    picture = checkerboard(board.columns + 1, board.rows + 1, square, border)
+    edge, side = round(border * square), square * board.marker / board.square
+    for column, row, cells in charuco_markers(board):
+        left = edge + column * square + (square - side) / 2
+        top = edge + row * square + (square - side) / 2
+        cell = side / len(cells)
+        for i, j in np.argwhere(cells):
+            _fill(picture, left + j * cell, top + i * cell, cell, cell)
+    return picture
 
 
 def siemens_star(size: int = 512, spokes: int = 36) -> Grey:

@@ -1,0 +1,151 @@
+"""Checkerboards: OpenCV says roughly where the corners are, the fit of `corner_fit` exactly."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.boards import Checkerboard
+from course_lib.checks import Array
+from course_lib.corner_fit import MOST, SHARE, CornerFit, fit_corners, refine_corners
+from course_lib.detection.reasons import judged, why_not_found
+from course_lib.detection.result import (
+    Detection,
+    Grey,
+    Picture,
+    grey_picture,
+    in_full_size,
+    in_small_size,
+    nothing,
+    shrunk,
+    smaller_pictures,
+)
+from course_lib.lattices import cell_middles, next_row, turned
+
+#: Squares beyond the board's last: so many must be dark or light in turn, with so much contrast.
+MANY, STRONG = 0.8, 0.4
+#: Blur at which corners are fitted best, px.
+SHARP = 1.2
+
+
+def detect_checkerboard(image: ArrayLike, board: Checkerboard) -> Detection:
+    """Return the corners of a checkerboard; see `course_lib.detection.detect_board`."""
+    grey = grey_picture(image)
+    rough = find_corners(grey, board)
+    if rough is None:
+        return why_not_found(grey, board)
+    rough = in_order(grey, rough, board)
+    larger = _beyond(grey, rough)
+    if larger:
+        columns, rows = board.columns + larger[0], board.rows + larger[1]
+        return nothing(
+            "wrong size",
+            f"Saw at least {columns} × {rows} corners, but the board should have {board.name}. "
+            "Count the inner corners, where four squares meet.",
+        )
+    fit = fit_in_suitable_size(grey, rough.reshape(-1, 2))
+    ids = np.flatnonzero(fit.good)
+    problem, verdict = judged(grey, fit, rough, board)
+    blur = float(np.median(fit.blur[ids])) if len(ids) else float("nan")
+    found = Detection(True, fit.points[ids], ids, problem, verdict, blur)
+    return found if len(ids) >= len(fit.good) / 2 else replace(found, found=False)
+
+
+def fit_in_suitable_size(grey: Picture, rough: Array, share: float = SHARE) -> CornerFit:
+    """Return corners, fitted in the picture made so small that edges are about a pixel wide.
+
+    Averaging the pixels of a wide edge loses nothing, and a window sees more of it.
+    """
+    small = fit_corners(grey, rough, share=share)
+    blur = float(np.median(small.blur[small.good])) if small.good.any() else MOST
+    factor = min(blur / SHARP, max(1.0, min(grey.shape) / 100))
+    if factor < 1.5:
+        return small
+    picture, ratio = shrunk(grey, factor)
+    fit = fit_corners(picture, in_small_size(rough, ratio), share=share)
+    return replace(
+        fit,
+        points=in_full_size(fit.points, ratio),
+        blur=factor * fit.blur,
+        sigma=factor * fit.sigma,
+    )
+
+
+def find_corners(grey: Picture, board: Checkerboard) -> Array | None:
+    """Return roughly where the corners are, in some order, shape (rows, columns, 2), or None."""
+    for picture, ratio in smaller_pictures(grey):
+        corners = _opencv(picture, board)
+        if corners is not None:
+            # To a few px of a large picture, where windows cover little of a square.
+            corners = in_full_size(refine_corners(picture, corners), ratio)
+            return corners.reshape(board.rows, board.columns, 2)
+    return None
+
+
+def _opencv(picture: Grey, board: Checkerboard) -> Array | None:
+    """Return the corners that one of OpenCV's finders sees, or None."""
+    import cv2
+
+    size = board.columns, board.rows
+    usual = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE
+    found, corners = cv2.findChessboardCorners(picture, size, flags=usual)
+    if not found and min(size) > 2:
+        thorough = cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_EXHAUSTIVE
+        found, corners = cv2.findChessboardCornersSB(picture, size, flags=thorough)
+    return np.asarray(corners, float).reshape(-1, 2) if found else None
+
+
+def in_order(grey: Picture, grid: Array, board: Checkerboard) -> Array:
+    """Return corners in the board's order: right turns, and if it can be told, dark first.
+
+    With an odd number of corners one way and an even number the other way, the board looks
+    different after half a turn. Then the first corner is the one at the dark outermost square.
+    """
+    grid = turned(grid, board.columns, board.rows)
+    if (board.columns + board.rows) % 2 and not _dark_first(grey, grid):
+        grid = grid[::-1, ::-1]
+    elif board.columns == board.rows and board.columns % 2 and not _dark_first(grey, grid):
+        grid = turned(np.rot90(grid), board.columns, board.rows)
+    return grid
+
+
+def _dark_first(grey: Picture, grid: Array) -> bool:
+    """Return whether the first inner square, and so the outermost, is of the dark ones."""
+    even, odd = _squares(grey, grid)
+    return bool(even.mean() < odd.mean())
+
+
+def _squares(grey: Picture, grid: Array) -> tuple[Array, Array]:
+    """Return the grey levels in the middle of every other square, and of those between."""
+    middles = np.rint(cell_middles(grid)).astype(int)
+    column = np.clip(middles[..., 0], 0, grey.shape[1] - 1)
+    row = np.clip(middles[..., 1], 0, grey.shape[0] - 1)
+    odd = np.indices(column.shape).sum(axis=0) % 2 == 1
+    values = grey[row, column]
+    return values[~odd], values[odd]
+
+
+def _beyond(grey: Picture, grid: Array) -> tuple[int, int] | None:
+    """Return how many columns and rows more there seem to be, or None if there are no more."""
+    longer = [_goes_on(grey, np.rot90(grid, turn)) for turn in range(4)]
+    return (longer[1] + longer[3], longer[0] + longer[2]) if any(longer) else None
+
+
+def _goes_on(grey: Picture, grid: Array) -> bool:
+    """Return whether there are squares, dark and light in turns, beyond those after the last row.
+
+    The squares right after the last row of corners are the board's own.
+    """
+    first = next_row(grid)
+    beyond = np.stack([first, next_row(np.concatenate([grid, first[None]]))])
+    if (beyond < 0).any() or (beyond > np.array(grey.shape)[::-1] - 1).any():
+        return False
+    even, odd = _squares(grey, grid)
+    # The row of squares beyond is number ``rows`` of the squares, counted from 0.
+    new_even, new_odd = _squares(grey, beyond)[:: 1 if len(grid) % 2 == 0 else -1]
+    level, sign = (even.mean() + odd.mean()) / 2, np.sign(even.mean() - odd.mean())
+    right = np.concatenate([sign * (new_even - level) > 0, sign * (level - new_odd) > 0])
+    contrast = sign * (new_even.mean() - new_odd.mean()) / abs(even.mean() - odd.mean())
+    return bool(right.mean() >= MANY and contrast > STRONG)
