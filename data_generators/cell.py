@@ -31,7 +31,7 @@ CORNER, PANEL, DOTS = np.array([40.0, 270, 0]), 190.0, np.array([35.0, 75, 115, 
 MAT, PAPER, INK = (70, 110, 100), (238, 238, 232), (24, 26, 30)
 FLESH, WOOD = (222, 128, 122), (176, 138, 96)
 BORDER, SCALE = 70.0, 3  # mm of table around the markers, px of its texture a mm
-WAVES = np.array([[1.0, 0.4], [-0.5, 1.2], [1.6, -1.1], [0.3, 2.1]]) * 2 * np.pi  # of the cover
+WAVES = np.array([[1.0, 0.4], [-0.4, 0.9], [1.1, -0.8], [0.3, 1.5]]) * 2 * np.pi  # of the cover
 
 
 def camera_above() -> Camera:
