@@ -214,31 +214,24 @@ def _model(numbers: Array, x: Array, y: Array) -> tuple[Array, Array]:
     The numbers are cx, cy, the directions of the edges, the logarithm of the width, b, g, a.
     """
     cx, cy, first, second, width, b, gx, gy, a = (n[:, None] for n in numbers.T)
-    width, dx, dy = np.maximum(np.exp(width), NARROWEST), x - cx, y - cy
-    steps, slopes, across, along = [], [], [], []
-    for angle in (first, second):
-        c, s = np.cos(angle), np.sin(angle)
-        u = dy * c - dx * s
-        step = np.tanh(u / width)
-        steps.append(step)
-        slopes.append((1 - step**2) / width)
-        across.append((s, -c, u))
-        along.append(-(dx * c + dy * s))
-    pulls = [a * slopes[0] * steps[1], a * slopes[1] * steps[0]]
-    (s1, c1, u1), (s2, c2, u2) = across
+    dx, dy, width = x - cx, y - cy, np.maximum(np.exp(width), NARROWEST)
+    S1, slopes1 = _step(dx, dy, first, width)
+    S2, slopes2 = _step(dx, dy, second, width)
+    by_first, by_second = a * slopes1 * S2, a * slopes2 * S1
+    both = by_first + by_second
+    derivatives = [both[0], both[1], by_first[2], by_second[2], both[3]]
     one = np.ones_like(dx)
-    derivatives = [
-        pulls[0] * s1 + pulls[1] * s2,
-        pulls[0] * c1 + pulls[1] * c2,
-        pulls[0] * along[0],
-        pulls[1] * along[1],
-        -(pulls[0] * u1 + pulls[1] * u2),
-        one,
-        one * x,
-        one * y,
-        steps[0] * steps[1],
-    ]
-    return b + gx * x + gy * y + a * steps[0] * steps[1], np.stack(derivatives, axis=1)
+    derivatives += [one, one * x, one * y, S1 * S2]
+    return b + gx * x + gy * y + a * S1 * S2, np.stack(derivatives, axis=1)
+
+
+def _step(dx: Array, dy: Array, angle: Array, width: Array) -> tuple[Array, Array]:
+    """Return the step across an edge; its derivatives by cx, cy, angle and logarithm of width."""
+    c, s = np.cos(angle), np.sin(angle)
+    u = dy * c - dx * s
+    step = np.tanh(u / width)
+    slope = (1 - step**2) / width
+    return step, slope * np.stack(np.broadcast_arrays(s, -c, -(dx * c + dy * s), -u))
 
 
 def _least_squares(numbers: Array, values: Array, x: Array, y: Array) -> tuple[Array, Array, Array]:

@@ -77,26 +77,26 @@ def why_not_found(grey: Picture, board: Checkerboard) -> Detection:
     rows, columns = seen.grid.shape[:2]
     if rows > columns and board.columns >= board.rows:
         rows, columns = columns, rows
-    saw = f"Saw {columns} × {rows} corners instead of {board.name}"
+    problem, cause = _cause(seen, board)
+    return nothing(problem, f"Saw {columns} × {rows} corners instead of {board.name}{cause}")
+
+
+def _cause(seen: Seen, board: Checkerboard) -> tuple[Problem, str]:
+    """Return why only a part of a board is seen, and the end of a sentence."""
+    few, many = sorted(seen.grid.shape[:2])
+    if many > max(board.columns, board.rows) or few > min(board.columns, board.rows):
+        return "wrong size", ". Count the inner corners, where four squares meet."
     sides = [_around(seen, turn) for turn in range(4)]
-    if max(rows, columns) > max(board.columns, board.rows) or min(rows, columns) > min(
-        board.columns, board.rows
-    ):
-        return nothing("wrong size", f"{saw}. Count the inner corners, where four squares meet.")
     if "white" in sides and not _paper_is_white(seen):
-        return nothing(
-            "glare", f"{saw}: light is reflected beside them. Turn the board or the lamp."
-        )
+        return "glare", ": light is reflected beside them. Turn the board or the lamp."
     if "outside" in sides:
-        return nothing(
-            "cut off",
-            f"{saw}, up to the edge of the picture. The whole board with its light border must be "
-            "in the picture; if it is, count its inner corners.",
+        return "cut off", (
+            ", up to the edge of the picture. The whole board with its light border must be in "
+            "the picture; if it is, count its inner corners."
         )
-    return nothing(
-        "wrong size",
-        f"{saw}. Count the inner corners, where four squares meet; if the count is right, "
-        "something hides a part of the board.",
+    return "wrong size", (
+        ". Count the inner corners, where four squares meet; if the count is right, something "
+        "hides a part of the board."
     )
 
 
