@@ -21,6 +21,9 @@ from data_generators.paint import Picture
 from data_generators.pyramid import TexturePyramid, levels_for
 from data_generators.scene import Colour, Scene, Texture
 
+#: m: a patch whose plane is this near to the camera is seen from the edge, as nothing.
+EDGE_ON = 1e-9
+
 
 class QuickRenderer:
     """Draws one scene again and again, through cameras that change.
@@ -157,7 +160,8 @@ class QuickRenderer:
         if not self.scene.patches:
             return [], []
         eye = camera.centre
-        facing = np.sum(self.normals * (eye - self.origins), axis=1) > 0
+        height = np.sum(self.normals * (eye - self.origins), axis=1)
+        facing = np.where(self._one_sided, height, np.abs(height)) > EDGE_ON
         world = self._outlines
         corners = world.corners @ camera.R.T + camera.t
         planes, offsets = view_planes(camera.K, camera.image_size)
@@ -167,7 +171,7 @@ class QuickRenderer:
         crossing: list[list[bool]] = np.logical_not(every).tolist()
         starts, ends = world.starts.tolist(), world.ends.tolist()
         patches, polygons = [], []
-        for index in np.flatnonzero(np.logical_and(some, facing | ~self._one_sided)).tolist():
+        for index in np.flatnonzero(some & facing).tolist():
             polygon = corners[starts[index] : ends[index]]
             if any(crossing[index]):
                 for plane, offset, cut in zip(planes, offsets, crossing[index], strict=True):

@@ -99,6 +99,11 @@ class TestBothEngines:
             picture = make_with(engine, Scene((patch,), (0, 0, 0)), standard_camera())
             assert picture[24, 32, 0] == seen
 
+    def test_seen_from_the_edge(self, engine):
+        floor = Patch((-1, 0, 1), (2, 0, 0), (0, 0, 3), checkerboard(4, 4, 16, 1.0))
+        picture = make_with(engine, Scene((floor,), (9, 9, 9)), standard_camera())
+        assert (picture != 9).any(axis=(1, 2)).sum() <= 1  # no more than the row of its edge
+
     def test_behind_and_beside(self, engine):
         patches = (wall(-2.0, (200, 0, 0)), wall(2.0, (0, 200, 0), 0.1))
         picture = make_with(engine, Scene(patches, (7, 7, 7)), standard_camera())
