@@ -11,18 +11,24 @@ from collections.abc import Sequence
 
 from numpy.typing import ArrayLike
 
-from course_lib.calibration_degeneracy import check_enough, check_order, check_tilts
+from course_lib.calibration_coverage import (
+    Coverage,
+    board_tilts,
+    coverage,
+    held_out_rms,
+    view_residuals,
+)
 from course_lib.calibration_judgement import reject_views, reprojection_residuals, rms_error
 from course_lib.calibration_model import CameraModel
-from course_lib.calibration_refinement import minimised
 from course_lib.calibration_result import (
     Calibration,
     calibration_from_state,
     residuals_and_jacobian,
 )
-from course_lib.calibration_start import starting_state, view_homographies
-from course_lib.calibration_views import Views, board_points, gather_views
-from course_lib.checks import Array, check_size
+from course_lib.calibration_robust import RobustCalibration, calibrate_robustly
+from course_lib.calibration_start import minimum
+from course_lib.calibration_views import board_points, gather_views
+from course_lib.checks import check_size
 from course_lib.least_squares import parameter_covariance
 from course_lib.zhang import (
     homography_constraints,
@@ -34,8 +40,14 @@ from course_lib.zhang import (
 __all__ = [
     "Calibration",
     "CameraModel",
+    "Coverage",
+    "RobustCalibration",
     "board_points",
+    "board_tilts",
     "calibrate",
+    "calibrate_robustly",
+    "coverage",
+    "held_out_rms",
     "homography_constraints",
     "initial_distortion",
     "intrinsics_from_homographies",
@@ -45,10 +57,8 @@ __all__ = [
     "reprojection_residuals",
     "residuals_and_jacobian",
     "rms_error",
+    "view_residuals",
 ]
-
-#: With more points in a view than this, a part of them is enough for the first steps.
-ENOUGH_POINTS = 60
 
 
 def calibrate(
@@ -107,22 +117,4 @@ def calibrate(
     model = CameraModel() if model is None else model
     size = check_size(image_size, "image_size")
     views = gather_views(object_points, image_points)
-    return calibrate_views(views, size, model, start)
-
-
-def calibrate_views(
-    views: Views,
-    size: Array,
-    model: CameraModel,
-    start: tuple[ArrayLike, ArrayLike] | None,
-) -> Calibration:
-    """Return the calibration from checked measurements."""
-    check_enough(views, model, known=start is not None)
-    few = views.thinned(ENOUGH_POINTS)
-    Hs = view_homographies(few)
-    check_order(few, Hs)
-    check_tilts(Hs, size, model)
-    state = starting_state(few, Hs, size, model, start)
-    if few is not views:
-        state, _ = minimised(state, few, last_gain=1e-3)
-    return calibration_from_state(*minimised(state, views), views, size)
+    return calibration_from_state(*minimum(views, size, model, start), views, size)

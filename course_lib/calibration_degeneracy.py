@@ -41,8 +41,8 @@ def check_enough(views: Views, model: CameraModel, known: bool) -> None:
         )
 
 
-def check_order(views: Views, Hs: Array) -> None:
-    """Raise if the pixels of a view are no picture of the board, however it is held."""
+def disorder(views: Views, Hs: Array) -> Array:
+    """Return how far each view's pixels are from a picture of the board, by its size there."""
     board = views.points[:, [0, 1, 1]].copy()
     board[:, 2] = 1
     image = Hs @ board
@@ -51,10 +51,15 @@ def check_order(views: Views, Hs: Array) -> None:
     size = (centred**2).sum(axis=1)
     if views.weights is not None:
         apart, size = apart * views.weights, size * views.weights
-    disorder = np.sqrt(apart.sum(axis=1) / size.sum(axis=1))
-    if disorder.max() > DISORDER:
+    return np.asarray(np.sqrt(apart.sum(axis=1) / size.sum(axis=1)))
+
+
+def check_order(views: Views, Hs: Array) -> None:
+    """Raise if the pixels of a view are no picture of the board, however it is held."""
+    apart = disorder(views, Hs)
+    if apart.max() > DISORDER:
         raise DegenerateConfigurationError(
-            f"the pixels of view {int(disorder.argmax())} are no picture of this board: are "
+            f"the pixels of view {int(apart.argmax())} are no picture of this board: are "
             "columns and rows swapped, or the corners in another order?"
         )
 

@@ -8,7 +8,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from course_lib.calibration_degeneracy import check_enough, check_order, check_tilts
 from course_lib.calibration_model import CameraModel, State, camera_numbers
+from course_lib.calibration_refinement import Normals, minimised
 from course_lib.calibration_views import Views
 from course_lib.checks import Array, DegenerateConfigurationError
 from course_lib.homography import fit_homographies
@@ -21,6 +23,8 @@ from course_lib.zhang import (
 
 #: Between these, times the size of the picture, lie the focal lengths of most cameras.
 LIKELY_FOCAL = (0.2, 20.0)
+#: With more points in a view than this, a part of them is enough for the first steps.
+ENOUGH_POINTS = 60
 
 
 def view_homographies(views: Views) -> Array:
@@ -128,3 +132,37 @@ def with_distortion(state: State, views: Views) -> State:
     camera = state.camera.copy()
     camera[5:7] = initial_distortion(ideal[seen].reshape(-1, 2), observed[seen].reshape(-1, 2), K)
     return State(state.model, camera, state.R, state.t)
+
+
+def minimum(
+    views: Views,
+    size: Array,
+    model: CameraModel,
+    start: tuple[ArrayLike, ArrayLike] | None = None,
+) -> tuple[State, Normals]:
+    """Return the smallest reprojection error of checked measurements, from the closed form.
+
+    Parameters
+    ----------
+    views, size, model, start
+        As for `starting_state`.
+
+    Returns
+    -------
+    State, Normals
+        As `refined`.
+
+    Raises
+    ------
+    DegenerateConfigurationError
+        If the measurements do not determine the camera.
+    """
+    check_enough(views, model, known=start is not None)
+    few = views.thinned(ENOUGH_POINTS)
+    Hs = view_homographies(few)
+    check_order(few, Hs)
+    check_tilts(Hs, size, model)
+    state = starting_state(few, Hs, size, model, start)
+    if few is not views:
+        state, _ = minimised(state, few, last_gain=1e-3)
+    return minimised(state, views)

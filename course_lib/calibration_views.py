@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from course_lib.checks import (
     Array,
@@ -37,14 +37,14 @@ class Views:
         Where they were seen, px.
     weights : ndarray, shape (V, N), or None
         How much each counts; None if all count 1.
-    counts : ndarray, shape (V,)
+    counts : ndarray of int, shape (V,)
         How many points each view has.
     """
 
     points: Array
     pixels: Array
     weights: Array | None
-    counts: Array
+    counts: NDArray[np.intp]
 
     @property
     def observations(self) -> int:
@@ -65,6 +65,12 @@ class Views:
         pixels = np.ascontiguousarray(self.pixels[:, :, ::step])
         counts = np.full(len(pixels), pixels.shape[-1])
         return Views(np.ascontiguousarray(self.points[:, :, ::step]), pixels, None, counts)
+
+    def only(self, keep: NDArray[np.bool_]) -> Views:
+        """Return some of the views."""
+        points = self.points if len(self.points) == 1 else self.points[keep]
+        weights = None if self.weights is None else self.weights[keep]
+        return Views(points, self.pixels[keep], weights, self.counts[keep])
 
     def weighted(self, weights: Array) -> Views:
         """Return the same views, each point with another weight, which multiplies its own."""
