@@ -16,14 +16,14 @@ from course_lib.sensor_model import SensorModel
 NORMAL_FROM = 300
 
 
-def mean_electrons(photons: ArrayLike, sensor: SensorModel, exposure_time: float = 0.0) -> Array:
+def mean_electrons(photons: ArrayLike, camera: SensorModel, exposure_time: float = 0.0) -> Array:
     """Return the electrons that light and warmth set free in a pixel, on average.
 
     Parameters
     ----------
     photons : float or array_like
         Photons that arrive in a pixel during the exposure, on average; not negative.
-    sensor : SensorModel
+    camera : SensorModel
         Its quantum efficiency and dark current count.
     exposure_time : float
         Seconds during which the dark current is collected.
@@ -48,20 +48,20 @@ def mean_electrons(photons: ArrayLike, sensor: SensorModel, exposure_time: float
     610.0
     """
     photons, exposure_time = check_light(photons, exposure_time)
-    return sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
+    return camera.quantum_efficiency * photons + camera.dark_current * exposure_time
 
 
-def sensor_response(photons: ArrayLike, sensor: SensorModel, exposure_time: float = 0.0) -> Array:
+def sensor_response(photons: ArrayLike, camera: SensorModel, exposure_time: float = 0.0) -> Array:
     """Return the number that a pixel would hold if nothing in it fluctuated.
 
     Parameters
     ----------
     photons : float or array_like, shape (...)
         Photons that arrive in a pixel during the exposure; not negative.
-    sensor : SensorModel
-        What a pixel makes of them: ``sensor.quantum_efficiency``, ``sensor.full_well`` (electrons),
-        ``sensor.dark_current`` (electrons per second), ``sensor.gain`` (DN per electron),
-        ``sensor.offset`` (DN) and ``sensor.white``, the largest number (DN).
+    camera : SensorModel
+        What a pixel makes of them: ``camera.quantum_efficiency``, ``camera.full_well`` (electrons),
+        ``camera.dark_current`` (electrons per second), ``camera.gain`` (DN per electron),
+        ``camera.offset`` (DN) and ``camera.white``, the largest number (DN).
     exposure_time : float
         Seconds during which the dark current is collected.
 
@@ -69,7 +69,7 @@ def sensor_response(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
     -------
     float or ndarray, shape (...)
         DN, not rounded: the mean of many pictures lies between the whole numbers. A full pixel
-        holds no more electrons, and nothing is written above ``sensor.white``.
+        holds no more electrons, and nothing is written above ``camera.white``.
 
     Raises
     ------
@@ -82,19 +82,19 @@ def sensor_response(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
 
     Examples
     --------
-    >>> sensor = SensorModel(quantum_efficiency=0.5, full_well=10_000, gain=0.3, offset=16, bits=12)
-    >>> sensor_response(np.array([0, 2000, 18_000, 90_000]), sensor)
+    >>> camera = SensorModel(quantum_efficiency=0.5, full_well=10_000, gain=0.3, offset=16, bits=12)
+    >>> sensor_response(np.array([0, 2000, 18_000, 90_000]), camera)
     array([  16.,  316., 2716., 3016.])
     """
     photons, exposure_time = check_light(photons, exposure_time)
-    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
-    electrons = np.minimum(electrons, sensor.full_well)
-    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    electrons = np.minimum(electrons, camera.full_well)
+    return np.minimum(camera.gain * electrons + camera.offset, camera.white)
 
 
 def expose(
     photons: ArrayLike,
-    sensor: SensorModel,
+    camera: SensorModel,
     rng: np.random.Generator,
     exposure_time: float = 0.0,
 ) -> NDArray[np.unsignedinteger]:
@@ -107,7 +107,7 @@ def expose(
     ----------
     photons : float or array_like
         Photons that arrive in each pixel during the exposure, on average; not negative.
-    sensor : SensorModel
+    camera : SensorModel
         What the pixels make of them.
     rng : numpy.random.Generator
         Where chance comes from.
@@ -136,15 +136,15 @@ def expose(
     """
     if not isinstance(rng, np.random.Generator):
         raise TypeError(f"rng must be a generator such as np.random.default_rng(0), got {rng!r}")
-    electrons = _poisson(mean_electrons(photons, sensor, exposure_time), rng)
-    electrons = np.minimum(electrons, sensor.full_well)
-    if sensor.read_noise:
-        electrons += sensor.read_noise * rng.standard_normal(electrons.shape)
-    return digitise(sensor.gain * electrons + sensor.offset, sensor)
+    electrons = _poisson(mean_electrons(photons, camera, exposure_time), rng)
+    electrons = np.minimum(electrons, camera.full_well)
+    if camera.read_noise:
+        electrons += camera.read_noise * rng.standard_normal(electrons.shape)
+    return digitise(camera.gain * electrons + camera.offset, camera)
 
 
 def expose_with_field(
-    photons: ArrayLike, sensor: SensorModel, field: ArrayLike, exposure_time: float = 0.0
+    photons: ArrayLike, camera: SensorModel, field: ArrayLike, exposure_time: float = 0.0
 ) -> NDArray[np.unsignedinteger]:
     """Return the numbers of one picture, with noise made from random numbers drawn before.
 
@@ -155,7 +155,7 @@ def expose_with_field(
     ----------
     photons : float or array_like
         Photons that arrive in each pixel during the exposure, on average; not negative.
-    sensor : SensorModel
+    camera : SensorModel
         What the pixels make of them.
     field : array_like
         Numbers from the standard normal distribution, of the shape of `photons`.
@@ -173,7 +173,7 @@ def expose_with_field(
     TypeError, ValueError
         If an argument is negative or not finite, or the shapes differ.
     """
-    electrons = mean_electrons(photons, sensor, exposure_time)
+    electrons = mean_electrons(photons, camera, exposure_time)
     field = check_numbers(field, "field")
     if field.shape != electrons.shape:
         raise ValueError(
@@ -181,22 +181,22 @@ def expose_with_field(
             "one random number for each pixel"
         )
     # A full well holds a fixed number of electrons: no shot noise is left in it.
-    variance = np.where(electrons < sensor.full_well, electrons, 0) + sensor.read_noise**2
+    variance = np.where(electrons < camera.full_well, electrons, 0) + camera.read_noise**2
     levels = np.sqrt(variance, out=variance) * field
-    levels += np.minimum(electrons, sensor.full_well)
-    levels *= sensor.gain
-    levels += sensor.offset
-    return digitise(levels, sensor)
+    levels += np.minimum(electrons, camera.full_well)
+    levels *= camera.gain
+    levels += camera.offset
+    return digitise(levels, camera)
 
 
-def digitise(levels: ArrayLike, sensor: SensorModel) -> NDArray[np.unsignedinteger]:
+def digitise(levels: ArrayLike, camera: SensorModel) -> NDArray[np.unsignedinteger]:
     """Return the whole numbers that a digitiser makes of amplified levels.
 
     Parameters
     ----------
     levels : float or array_like
-        Levels in DN, before rounding; what is below 0 or above ``sensor.white`` is clipped.
-    sensor : SensorModel
+        Levels in DN, before rounding; what is below 0 or above ``camera.white`` is clipped.
+    camera : SensorModel
         Its bits count.
 
     Returns
@@ -210,9 +210,9 @@ def digitise(levels: ArrayLike, sensor: SensorModel) -> NDArray[np.unsignedinteg
         If a level is not a finite number.
     """
     levels = check_numbers(levels, "levels")
-    kind = np.uint8 if sensor.bits <= 8 else np.uint16
+    kind = np.uint8 if camera.bits <= 8 else np.uint16
     whole = np.rint(levels)
-    return np.clip(whole, 0, sensor.white, out=whole if whole.ndim else None).astype(kind)
+    return np.clip(whole, 0, camera.white, out=whole if whole.ndim else None).astype(kind)
 
 
 def check_light(photons: ArrayLike, exposure_time: float) -> tuple[Array, float]:

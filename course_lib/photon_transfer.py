@@ -22,7 +22,7 @@ from course_lib.sensor_model import SensorModel
 SATURATED = 0.001
 
 
-def signal_to_noise(photons: ArrayLike, sensor: SensorModel, exposure_time: float = 0.0) -> Array:
+def signal_to_noise(photons: ArrayLike, camera: SensorModel, exposure_time: float = 0.0) -> Array:
     """Return how many times larger the signal of a pixel is than its noise.
 
     The noise has four independent sources: the photons' own chance (shot noise), the dark current,
@@ -33,9 +33,9 @@ def signal_to_noise(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
     photons : float or array_like
         Photons that arrive in a pixel during the exposure, on average; not negative. So many that
         nothing is clipped; beyond, the picture is white and the ratio means nothing.
-    sensor : SensorModel
-        ``sensor.quantum_efficiency``, ``sensor.dark_current`` (electrons per second),
-        ``sensor.read_noise`` and ``sensor.quantisation_noise`` (both standard deviations in
+    camera : SensorModel
+        ``camera.quantum_efficiency``, ``camera.dark_current`` (electrons per second),
+        ``camera.read_noise`` and ``camera.quantisation_noise`` (both standard deviations in
         electrons) count.
     exposure_time : float
         Seconds during which the dark current is collected.
@@ -56,23 +56,23 @@ def signal_to_noise(photons: ArrayLike, sensor: SensorModel, exposure_time: floa
 
     Examples
     --------
-    >>> sensor = SensorModel(quantum_efficiency=0.5, read_noise=10, gain=1)
-    >>> signal_to_noise(np.array([20, 20_000]), sensor).round(2)
+    >>> camera = SensorModel(quantum_efficiency=0.5, read_noise=10, gain=1)
+    >>> signal_to_noise(np.array([20, 20_000]), camera).round(2)
     array([ 0.95, 99.5 ])
     """
     photons, exposure_time = check_light(photons, exposure_time)
-    signal = sensor.quantum_efficiency * photons
+    signal = camera.quantum_efficiency * photons
     # Independent noises add by their variances; that of counted electrons is their number.
-    shot = signal + sensor.dark_current * exposure_time
-    return signal / np.sqrt(shot + sensor.read_noise**2 + sensor.quantisation_noise**2)
+    shot = signal + camera.dark_current * exposure_time
+    return signal / np.sqrt(shot + camera.read_noise**2 + camera.quantisation_noise**2)
 
 
-def dynamic_range(sensor: SensorModel) -> float:
+def dynamic_range(camera: SensorModel) -> float:
     """Return the brightest light that a picture tells from white, by the darkest above its noise.
 
     Parameters
     ----------
-    sensor : SensorModel
+    camera : SensorModel
         Its full well, read noise, gain, offset and bits count.
 
     Returns
@@ -90,8 +90,8 @@ def dynamic_range(sensor: SensorModel) -> float:
     >>> round(dynamic_range(SensorModel(full_well=10_000, read_noise=10, gain=0.39, offset=0)))
     997
     """
-    floor = np.hypot(sensor.read_noise, sensor.quantisation_noise)
-    return float(sensor.saturation / floor)
+    floor = np.hypot(camera.read_noise, camera.quantisation_noise)
+    return float(camera.saturation / floor)
 
 
 def clipped_fraction(image: ArrayLike, black: float = 0, white: float = 255) -> Array:

@@ -76,31 +76,31 @@ def any_sensor(rng: Generator, **changes: Any) -> SensorModel:
     return SensorModel(**(made | changes))
 
 
-def photons_for(rng: Generator, sensor: SensorModel, low: float, high: float) -> Any:
+def photons_for(rng: Generator, camera: SensorModel, low: float, high: float) -> Any:
     """Draw numbers of photons that fill the pixel between two shares of its saturation."""
     shares = rng.uniform(low, high, 4)
-    return np.round(shares * sensor.saturation / sensor.quantum_efficiency)
+    return np.round(shares * camera.saturation / camera.quantum_efficiency)
 
 
 def ordinary_light(rng: Generator) -> Inputs:
-    sensor = any_sensor(rng)
-    photons = photons_for(rng, sensor, 0.1, 0.8)
-    return {"photons": photons, "sensor": sensor, "exposure_time": 0.0}
+    camera = any_sensor(rng)
+    photons = photons_for(rng, camera, 0.1, 0.8)
+    return {"photons": photons, "camera": camera, "exposure_time": 0.0}
 
 
 def long_exposure(rng: Generator) -> Inputs:
     """Draw little light, and seconds in which the dark current is a good part of the signal."""
-    sensor = any_sensor(rng)
-    photons = photons_for(rng, sensor, 0.05, 0.2)
+    camera = any_sensor(rng)
+    photons = photons_for(rng, camera, 0.05, 0.2)
     seconds = float(np.round(rng.uniform(4, 20), 1))
-    return {"photons": photons, "sensor": sensor, "exposure_time": seconds}
+    return {"photons": photons, "camera": camera, "exposure_time": seconds}
 
 
 def too_bright(rng: Generator, **changes: Any) -> Inputs:
-    sensor = any_sensor(rng, **changes)
-    photons = photons_for(rng, sensor, 0.1, 0.8)
-    photons[1:3] = np.round(rng.uniform(1.3, 4, 2) * photons_for(rng, sensor, 1, 1)[:2])
-    return {"photons": photons, "sensor": sensor, "exposure_time": 0.0}
+    camera = any_sensor(rng, **changes)
+    photons = photons_for(rng, camera, 0.1, 0.8)
+    photons[1:3] = np.round(rng.uniform(1.3, 4, 2) * photons_for(rng, camera, 1, 1)[:2])
+    return {"photons": photons, "camera": camera, "exposure_time": 0.0}
 
 
 def full_pixels(rng: Generator) -> Inputs:
@@ -115,16 +115,16 @@ def last_number(rng: Generator) -> Inputs:
 
 
 def light_rules(rng: Generator) -> Inputs:
-    sensor = any_sensor(rng)
-    photons = photons_for(rng, sensor, 0.1, 0.9)
-    return {"photons": photons, "sensor": sensor, "exposure_time": 0.0}
+    camera = any_sensor(rng)
+    photons = photons_for(rng, camera, 0.1, 0.9)
+    return {"photons": photons, "camera": camera, "exposure_time": 0.0}
 
 
 def readout_rules(rng: Generator) -> Inputs:
     """Draw a handful of photons, and numbers so coarse that their rounding is heard too."""
-    sensor = any_sensor(rng, bits=8, offset=4, gain=float(np.round(rng.uniform(0.012, 0.03), 3)))
+    camera = any_sensor(rng, bits=8, offset=4, gain=float(np.round(rng.uniform(0.012, 0.03), 3)))
     photons = np.round(rng.uniform(20, 300, 4))
-    return {"photons": photons, "sensor": sensor, "exposure_time": 0.0}
+    return {"photons": photons, "camera": camera, "exposure_time": 0.0}
 
 
 # --- motion -----------------------------------------------------------------------------------

@@ -73,119 +73,119 @@ def stops_added(t, N, N_new, iso=100, iso_new=100):
 # --- sensor_response --------------------------------------------------------------------------
 
 
-def every_photon_counts(photons, sensor, exposure_time=0.0):
-    electrons = np.minimum(photons + sensor.dark_current * exposure_time, sensor.full_well)
-    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+def every_photon_counts(photons, camera, exposure_time=0.0):
+    electrons = np.minimum(photons + camera.dark_current * exposure_time, camera.full_well)
+    return np.minimum(camera.gain * electrons + camera.offset, camera.white)
 
 
-def offset_left_out(photons, sensor, exposure_time=0.0):
-    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
-    return np.minimum(sensor.gain * np.minimum(electrons, sensor.full_well), sensor.white)
+def offset_left_out(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    return np.minimum(camera.gain * np.minimum(electrons, camera.full_well), camera.white)
 
 
-def offset_amplified(photons, sensor, exposure_time=0.0):
-    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
-    electrons = np.minimum(electrons, sensor.full_well)
-    return np.minimum(sensor.gain * (electrons + sensor.offset), sensor.white)
+def offset_amplified(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    electrons = np.minimum(electrons, camera.full_well)
+    return np.minimum(camera.gain * (electrons + camera.offset), camera.white)
 
 
-def divided_by_gain(photons, sensor, exposure_time=0.0):
-    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
-    electrons = np.minimum(electrons, sensor.full_well)
-    return np.minimum(electrons / sensor.gain + sensor.offset, sensor.white)
+def divided_by_gain(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    electrons = np.minimum(electrons, camera.full_well)
+    return np.minimum(electrons / camera.gain + camera.offset, camera.white)
 
 
-def numbers_without_end(photons, sensor, exposure_time=0.0):
-    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
-    return sensor.gain * np.minimum(electrons, sensor.full_well) + sensor.offset
+def numbers_without_end(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    return camera.gain * np.minimum(electrons, camera.full_well) + camera.offset
 
 
-def clipped_too_early(photons, sensor, exposure_time=0.0):
-    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
-    electrons = np.minimum(electrons, sensor.full_well)
-    return np.minimum(sensor.gain * electrons, sensor.white) + sensor.offset
+def clipped_too_early(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    electrons = np.minimum(electrons, camera.full_well)
+    return np.minimum(camera.gain * electrons, camera.white) + camera.offset
 
 
-def well_without_brim(photons, sensor, exposure_time=0.0):
-    electrons = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
-    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+def well_without_brim(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    return np.minimum(camera.gain * electrons + camera.offset, camera.white)
 
 
-def dark_left_out(photons, sensor, exposure_time=0.0):
-    electrons = np.minimum(sensor.quantum_efficiency * photons, sensor.full_well)
-    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+def dark_left_out(photons, camera, exposure_time=0.0):
+    electrons = np.minimum(camera.quantum_efficiency * photons, camera.full_well)
+    return np.minimum(camera.gain * electrons + camera.offset, camera.white)
 
 
-def dark_added_to_full_wells(photons, sensor, exposure_time=0.0):
-    electrons = np.minimum(sensor.quantum_efficiency * photons, sensor.full_well)
-    electrons = electrons + sensor.dark_current * exposure_time
-    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+def dark_added_to_full_wells(photons, camera, exposure_time=0.0):
+    electrons = np.minimum(camera.quantum_efficiency * photons, camera.full_well)
+    electrons = electrons + camera.dark_current * exposure_time
+    return np.minimum(camera.gain * electrons + camera.offset, camera.white)
 
 
-def dark_without_time(photons, sensor, exposure_time=0.0):
-    electrons = sensor.quantum_efficiency * photons + sensor.dark_current
-    electrons = np.minimum(electrons, sensor.full_well)
-    return np.minimum(sensor.gain * electrons + sensor.offset, sensor.white)
+def dark_without_time(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current
+    electrons = np.minimum(electrons, camera.full_well)
+    return np.minimum(camera.gain * electrons + camera.offset, camera.white)
 
 
 # --- signal_to_noise --------------------------------------------------------------------------
 
 
-def deviations_added(photons, sensor, exposure_time=0.0):
-    signal = sensor.quantum_efficiency * photons
-    shot = np.sqrt(signal + sensor.dark_current * exposure_time)
-    return signal / (shot + sensor.read_noise + sensor.quantisation_noise)
+def deviations_added(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    shot = np.sqrt(signal + camera.dark_current * exposure_time)
+    return signal / (shot + camera.read_noise + camera.quantisation_noise)
 
 
-def variance_for_deviation(photons, sensor, exposure_time=0.0):
-    signal = sensor.quantum_efficiency * photons
-    dark = sensor.dark_current * exposure_time
-    return signal / (signal + dark + sensor.read_noise**2 + sensor.quantisation_noise**2)
+def variance_for_deviation(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    dark = camera.dark_current * exposure_time
+    return signal / (signal + dark + camera.read_noise**2 + camera.quantisation_noise**2)
 
 
-def noise_like_signal(photons, sensor, exposure_time=0.0):
-    signal = sensor.quantum_efficiency * photons
-    dark = sensor.dark_current * exposure_time
-    added = signal**2 + dark**2 + sensor.read_noise**2 + sensor.quantisation_noise**2
+def noise_like_signal(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    dark = camera.dark_current * exposure_time
+    added = signal**2 + dark**2 + camera.read_noise**2 + camera.quantisation_noise**2
     return signal / np.sqrt(added)
 
 
-def readout_not_squared(photons, sensor, exposure_time=0.0):
-    signal = sensor.quantum_efficiency * photons
-    dark = sensor.dark_current * exposure_time
-    return signal / np.sqrt(signal + dark + sensor.read_noise + sensor.quantisation_noise)
+def readout_not_squared(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    dark = camera.dark_current * exposure_time
+    return signal / np.sqrt(signal + dark + camera.read_noise + camera.quantisation_noise)
 
 
-def photons_for_electrons(photons, sensor, exposure_time=0.0):
-    dark = sensor.dark_current * exposure_time
-    noise = photons + dark + sensor.read_noise**2 + sensor.quantisation_noise**2
+def photons_for_electrons(photons, camera, exposure_time=0.0):
+    dark = camera.dark_current * exposure_time
+    noise = photons + dark + camera.read_noise**2 + camera.quantisation_noise**2
     return photons / np.sqrt(noise)
 
 
-def dark_as_signal(photons, sensor, exposure_time=0.0):
-    signal = sensor.quantum_efficiency * photons + sensor.dark_current * exposure_time
-    return signal / np.sqrt(signal + sensor.read_noise**2 + sensor.quantisation_noise**2)
+def dark_as_signal(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    return signal / np.sqrt(signal + camera.read_noise**2 + camera.quantisation_noise**2)
 
 
-def dark_squared(photons, sensor, exposure_time=0.0):
-    signal = sensor.quantum_efficiency * photons
-    dark = sensor.dark_current * exposure_time
-    return signal / np.sqrt(signal + dark**2 + sensor.read_noise**2 + sensor.quantisation_noise**2)
+def dark_squared(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    dark = camera.dark_current * exposure_time
+    return signal / np.sqrt(signal + dark**2 + camera.read_noise**2 + camera.quantisation_noise**2)
 
 
-def shot_noise_only(photons, sensor, exposure_time=0.0):
-    return np.sqrt(sensor.quantum_efficiency * photons)
+def shot_noise_only(photons, camera, exposure_time=0.0):
+    return np.sqrt(camera.quantum_efficiency * photons)
 
 
-def rounding_left_out(photons, sensor, exposure_time=0.0):
-    signal = sensor.quantum_efficiency * photons
-    return signal / np.sqrt(signal + sensor.dark_current * exposure_time + sensor.read_noise**2)
+def rounding_left_out(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    return signal / np.sqrt(signal + camera.dark_current * exposure_time + camera.read_noise**2)
 
 
-def in_decibels(photons, sensor, exposure_time=0.0):
-    signal = sensor.quantum_efficiency * photons
-    dark = sensor.dark_current * exposure_time
-    noise = signal + dark + sensor.read_noise**2 + sensor.quantisation_noise**2
+def in_decibels(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    dark = camera.dark_current * exposure_time
+    noise = signal + dark + camera.read_noise**2 + camera.quantisation_noise**2
     return 20 * np.log10(signal / np.sqrt(noise))
 
 

@@ -13,23 +13,23 @@ def equivalent_exposure(t, N, N_new, iso=100, iso_new=100):
     return t * 2.0**stops
 
 
-def sensor_response(photons, sensor, exposure_time=0.0):
+def sensor_response(photons, camera, exposure_time=0.0):
     numbers = []
     for count in photons:
-        electrons = count * sensor.quantum_efficiency + exposure_time * sensor.dark_current
-        if electrons > sensor.full_well:
-            electrons = sensor.full_well
-        numbers.append(min(sensor.offset + electrons * sensor.gain, 2**sensor.bits - 1))
+        electrons = count * camera.quantum_efficiency + exposure_time * camera.dark_current
+        if electrons > camera.full_well:
+            electrons = camera.full_well
+        numbers.append(min(camera.offset + electrons * camera.gain, 2**camera.bits - 1))
     return numbers
 
 
-def signal_to_noise(photons, sensor, exposure_time=0.0):
+def signal_to_noise(photons, camera, exposure_time=0.0):
     """In DN instead of electrons."""
-    K = sensor.gain
-    signal = K * sensor.quantum_efficiency * photons
+    K = camera.gain
+    signal = K * camera.quantum_efficiency * photons
     shot = K * signal
-    dark = K**2 * sensor.dark_current * exposure_time
-    readout = (K * sensor.read_noise) ** 2
+    dark = K**2 * camera.dark_current * exposure_time
+    readout = (K * camera.read_noise) ** 2
     return signal / (shot + dark + readout + 1 / 12) ** 0.5
 
 
