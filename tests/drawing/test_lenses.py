@@ -17,6 +17,7 @@ from course_lib.drawing.style import BLACK, ROLES
 FIGURES = {
     "airy_on_pixels": draw.airy_on_pixels,
     "aperture_branches": lambda: draw.aperture_branches(yours=(20, 1200)),
+    "aperture_branches outside": lambda: draw.aperture_branches(yours=(1200, 20)),
     "aperture_series": draw.aperture_series,
     "approximation": draw.approximation,
     "blur_against_distance": lambda: draw.blur_against_distance(yours=(2100, 2300)),
@@ -30,11 +31,13 @@ FIGURES = {
     "pixel_on_object": draw.pixel_on_object,
     "principal_planes": draw.principal_planes,
     "ranges": draw.ranges,
+    "ranges outside": lambda: draw.ranges(yours=[None] * 4 + [(8581, -20044)]),
     "ray_steps": draw.ray_steps,
     "stops": draw.stops,
     "sweet_spot": draw.sweet_spot,
     "wing": draw.wing,
     "zoom": draw.zoom,
+    "zoom outside": lambda: draw.zoom(yours=[(-300, 0, 0)] * 3),
 }
 
 
@@ -87,6 +90,47 @@ def test_the_students_numbers_are_drawn_where_they_belong():
     limits = [(900, 1100), (1500, np.inf)]
     stars = yours(draw.ranges(focus=(1000, 2000), yours=limits))
     assert stars.tolist() == [[0.9, 0], [1.1, 0], [1.5, 1], [200, 1]]
+
+
+def outside(figure):
+    return (
+        figure.axes[0].get_title(loc="right").removeprefix("your values lie outside the figure: ")
+    )
+
+
+def test_values_that_a_figure_cannot_show_are_written_above_it():
+    images = draw.image_against_object(85, [100, 170, 200, 300, 500], [567, 5, -6, np.nan, 1e9])
+    assert outside(images) == "5 mm, −6 mm, nan mm, …"
+    assert outside(draw.aperture_branches(yours=(1200, 20))) == "N = 1200, D = 20 mm"
+    assert outside(draw.ranges(yours=[(900, np.inf), (1500, -20044)])) == "−20.04 m"
+    assert outside(draw.closeup(yours=(1e9, 0.01))) == "1e+09 mm"
+    assert outside(draw.blur_against_distance(yours=(2133, 9000))) == "9000 mm"
+    for seen in (draw.aperture_branches(yours=(20, 1200)), draw.closeup(yours=(511, 0.0123))):
+        assert outside(seen) == ""
+
+
+def test_a_focus_outside_of_the_zoom_is_written_beside_it():
+    first, second, _ = draw.zoom(yours=[(-300, 0, 0), (150, 0, -90), None]).axes
+    assert "yours: −300 mm,\nits focus at −273 mm" in [text.get_text() for text in first.texts]
+    assert "yours: 150 mm" in [text.get_text() for text in second.texts]
+
+
+def test_both_similar_triangles_of_a_cone_are_filled():
+    for ax, Z in zip(
+        draw.blur_cones(f=1.5, d=1.7, focus=5.0, far=9.0).axes, (3.2, 9.0), strict=True
+    ):
+        large, small = (patch.get_xy()[:3] for patch in ax.patches[:2])
+        np.testing.assert_allclose(large[1], small[1])  # they meet in one point
+        base, height = np.abs(large[0] - large[2])[1], abs(large[0] - large[1])[0]
+        spot, beside = np.abs(small[0] - small[2])[1], abs(small[0] - small[1])[0]
+        assert base / height == pytest.approx(spot / beside)
+        assert spot == pytest.approx(optics.circle_of_confusion(Z, 5.0, 1.5, 1.5 / 1.7))
+
+
+def test_the_wing_names_the_airy_disk_of_the_working_f_number():
+    working = optics.working_f_number(16, optics.magnification(85, 2222))
+    disk = optics.airy_diameter(views.WAVELENGTH, working) / views.PITCH
+    assert f"Airy disk {disk:.1f} px everywhere" in draw.wing(N=16, focus=2.222).get_suptitle()
 
 
 def test_rays_of_the_construction_meet_in_the_image():

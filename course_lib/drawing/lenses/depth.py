@@ -19,6 +19,7 @@ from course_lib.drawing.diagrams import (
     stroke,
     write,
 )
+from course_lib.drawing.lenses.answers import numbers, say_outside, stars
 from course_lib.drawing.lenses.imaging import lens_shape
 from course_lib.drawing.style import BLACK, FULL_WIDTH, ORANGE, ROLES
 from course_lib.optics import (
@@ -67,7 +68,7 @@ def blur_cones(
         stroke(ax, [(-focus, -0.9), (-focus, 0.9)], "guide", lw=1.2, ls=":")
         write(ax, (-focus, 1.1), "in focus", "guide")
         write(ax, (sensor, 1.15), "sensor", "guide")
-        write(ax, (0.22, -0.72), "$d$", ha="left")
+        dimension(ax, (-0.5, -d / 2), (-0.5, d / 2), "$d$")
         dimension(ax, (-Z, -1.2), (0, -1.2), "$Z$")
         dimension(ax, (-focus, -1.7), (0, -1.7), "$D$")
         dimension(ax, (0, -1.2), (sensor, -1.2), "$s_D$")
@@ -77,14 +78,18 @@ def blur_cones(
 
 
 def _cone(ax: Axes, Z: float, d: float, meet: float, sensor: float) -> None:
-    """Draw the light of a point that passes a lens and meets at a place, and its spot."""
+    """Draw the light of a point that passes a lens and meets at a place, and its spot.
+
+    Both similar triangles, with the opening and with the spot as their base, are filled.
+    """
     end, spot = max(meet, sensor), abs(d * (sensor - meet) / meet)
     turned = d / 2 * (1 - end / meet)
-    ax.fill([-Z, 0, end, end, 0], [0, d / 2, turned, -turned, -d / 2], color=ORANGE, alpha=0.2)
+    ax.fill([0, meet, 0], [d / 2, 0, -d / 2], color=ORANGE, alpha=0.25, lw=0)
+    ax.fill([sensor, meet, sensor], [spot / 2, 0, -spot / 2], color=ORANGE, alpha=0.55, lw=0)
     for side in (-1, 1):
         stroke(ax, [(-Z, 0), (0, side * d / 2), (end, side * turned)], "ray", lw=1.5)
     stroke(ax, [(sensor, -1), (sensor, 1)], "guide", lw=2)
-    stroke(ax, [(sensor, -spot / 2), (sensor, spot / 2)], "image", lw=6)
+    stroke(ax, [(sensor, -spot / 2), (sensor, spot / 2)], "image", lw=4)
     ax.plot(-Z, 0, "o", color=ROLES["object"], ms=9)
     ax.plot(meet, 0, "o", color=BLACK, ms=6, zorder=5)
     write(ax, (-Z, 0.35), "point", "object")
@@ -125,12 +130,11 @@ def blur_against_distance(
     end = "∞" if np.isinf(far) else f"{far:.0f} mm"
     top = max(1.3 * float(spot[-1]), 1.3 * c)
     write(ax, ((near + min(far, Z[-1])) / 2, 0.85 * top), f"{near:.0f} mm\nto {end}", "image")
-    drawn = same_shape(yours, np.zeros(2))
-    if drawn is not None and np.isfinite(drawn).any():
-        style = {"color": ROLES["second"], "ms": 15, "ls": "", "zorder": 5}
-        ax.plot(drawn, [c, c], "*", label="your limits", **style)
     ax.set(xlabel="distance Z of the point (mm)", ylabel="diameter of the spot (mm)")
     ax.set(xlim=(Z[0], Z[-1]), ylim=(0, top))
+    drawn = same_shape(yours, np.zeros(2))
+    if drawn is not None:
+        stars(ax, drawn, [c, c], numbers(drawn, "mm"), "your limits")
     ax.legend(loc="upper right")
     return fig
 
@@ -168,7 +172,6 @@ def ranges(
         label = "∞" if np.isinf(far) else f"{far:.2f}"
         write(ax, (near * 0.87, row), f"{near:.2f}", ha="right")
         write(ax, (min(far, end) * 1.15, row), label, ha="left")
-        _marks(ax, row, None if yours is None else yours[row], end)
     ax.axvline(H, color=ROLES["guide"], ls=(0, (6, 4)), lw=1.4)
     write(ax, (1.06 * H, -0.75), "hyperfocal distance", "guide", ha="left", fontsize=9)
     ax.set(xscale="log", xlim=(0.5, 320), ylim=(len(focus) - 0.4, -1.1), yticks=[])
@@ -178,17 +181,24 @@ def ranges(
     ax.barh([0], [0], color=ROLES["image"], alpha=0.45, label="sharp")
     ax.legend(loc="lower left", bbox_to_anchor=(0, 0.97), ncols=2, fontsize=10)
     plain_numbers(ax)
+    _mark_limits(ax, yours or (), end)
     return fig
 
 
-def _marks(ax: Axes, row: int, yours: ArrayLike | None, end: float) -> None:
-    """Mark the limits in mm that a student's function gave for one row."""
-    drawn = same_shape(yours, np.zeros(2))
-    if drawn is None:
+def _mark_limits(ax: Axes, yours: Sequence[ArrayLike | None], end: float) -> None:
+    """Mark the limits in mm that a student's function gave for each row; infinity at the end."""
+    rows = [(row, same_shape(pair, np.zeros(2))) for row, pair in enumerate(yours)]
+    limits = np.array(
+        [(row, limit / 1000) for row, pair in rows if pair is not None for limit in pair]
+    )
+    if not limits.size:
         return
-    for limit in drawn / 1000:
-        if limit > 0:
-            ax.plot(min(limit, end), row, "*", color=ROLES["second"], ms=13, zorder=5)
+    row, limit = limits.T
+    left, right = ax.get_xlim()
+    shown = (limit >= left) & ((limit <= right) | np.isposinf(limit))
+    for place, height in zip(np.minimum(limit, end)[shown], row[shown], strict=True):
+        ax.plot(place, height, "*", color=ROLES["second"], ms=13, zorder=5)
+    say_outside(ax, numbers(limit[~shown], "m"))
 
 
 @figure("How much too deep the approximate depth of field is, against the focus distance.")
@@ -246,11 +256,11 @@ def closeup(N: float = 16.0, c: float = 0.038, yours: ArrayLike | None = None) -
     for place, value, name in zip(shown, depth, ("1/20", "1", "100"), strict=True):
         text = f"m = {name}: " + (f"{1000 * value:.0f} µm" if value < 0.1 else f"{value:.3g} mm")
         write(ax, (1.25 * place, 1.35 * value), text, ha="left", va="bottom")
-    drawn = same_shape(yours, np.zeros(2))
-    if drawn is not None:
-        ax.plot(shown[[0, 2]], drawn, "*", color=ROLES["second"], ms=14, ls="", label="yours")
-        ax.legend(loc="lower left")
     ax.set(xlabel="magnification m (no unit)", ylabel="depth of field (mm)")
     ax.set(xlim=(0.02, 2000), ylim=(0.003, 6000))
     plain_numbers(ax)
+    drawn = same_shape(yours, np.zeros(2))
+    if drawn is not None:
+        stars(ax, shown[[0, 2]], drawn, numbers(drawn, "mm"), "yours")
+        ax.legend(loc="lower left")
     return fig

@@ -20,6 +20,7 @@ from course_lib.drawing.diagrams import (
     tree,
     write,
 )
+from course_lib.drawing.lenses.answers import numbers, stars
 from course_lib.drawing.style import BLACK, FULL_WIDTH, ORANGE, ROLES
 from course_lib.optics import image_distance, magnification
 from course_lib.optics import pixel_on_object as sampled
@@ -173,13 +174,13 @@ def image_against_object(
     write(ax, (120 * f, 0.84 * f), "far away: $s$ is nearly $f$", "guide")
     write(ax, (1.2 * f, 20 * f), "at $Z = f$: no image", "guide", ha="left")
     places = np.asarray([] if Z is None else Z, dtype=float)
-    drawn = same_shape(yours, places)
-    if drawn is not None and places.size:
-        ax.plot(places, drawn, "*", color=ROLES["second"], ms=13, ls="", label="your function")
-        ax.legend(loc="upper right")
     ax.set(xlabel="distance of the object Z (mm)", ylabel="distance of the image s (mm)")
     ax.set(ylim=(0.7 * f, 30 * f), xlim=(0.9 * f, 320 * f))
     plain_numbers(ax)
+    drawn = same_shape(yours, places)
+    if drawn is not None and places.size:
+        stars(ax, places, drawn, numbers(drawn, "mm"), "your function")
+        ax.legend(loc="upper right")
     return fig
 
 

@@ -157,9 +157,11 @@ def zoom(
         write(ax, (-27, -1), f"f = {f:.0f} mm", ha="right", fontweight="bold")
         drawn = same_shape(None if yours is None else yours[row], np.zeros(3))
         if drawn is not None and np.isfinite(drawn).all():
-            plane = d + drawn[2]
-            if -20 < plane + drawn[0] < end + 8:
-                ax.plot(plane + drawn[0], 0, "*", color=ROLES["second"], ms=15, zorder=5)
-            write(ax, (-27, -8), f"yours: {drawn[0]:.0f} mm", ha="right")
+            place, words = d + drawn[2] + drawn[0], f"yours: {drawn[0]:.0f} mm"
+            if -20 < place < end + 8:
+                ax.plot(place, 0, "*", color=ROLES["second"], ms=15, zorder=5)
+            else:
+                words += f",\nits focus at {place:.0f} mm"
+            write(ax, (-27, -8), words.replace("-", "−"), ha="right", va="top", fontsize=10)
         fit(ax, -62, end + 8, -15, 15)
     return fig

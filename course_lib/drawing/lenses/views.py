@@ -11,7 +11,12 @@ from numpy.typing import NDArray
 
 from course_lib.drawing.diagrams import Floats, figure, panels
 from course_lib.drawing.style import FULL_WIDTH
-from course_lib.optics import aperture_diameter, circle_of_confusion, image_distance
+from course_lib.optics import (
+    airy_diameter,
+    aperture_diameter,
+    circle_of_confusion,
+    image_distance,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -54,7 +59,10 @@ def wing(
         _show(ax, through_lens(Z, focus, f, N))
         title = f"{Z:.1f} m: defocus {blur:.1f} px"
         ax.set_title(title, fontsize=11, fontweight="normal")
-    fig.suptitle(f"f = {f:g} mm at f/{N:g}, focused on {focus:g} m", x=0.01, ha="left")
+    working = image_distance(f, 1000 * focus) / aperture_diameter(f, N)
+    disk = float(airy_diameter(WAVELENGTH, working)) / PITCH
+    words = f"f = {f:g} mm at f/{N:g}, focused on {focus:g} m; Airy disk {disk:.1f} px everywhere"
+    fig.suptitle(words, x=0.01, ha="left")
     return fig
 
 

@@ -18,6 +18,7 @@ from course_lib.drawing.diagrams import (
     stroke,
     write,
 )
+from course_lib.drawing.lenses.answers import stars
 from course_lib.drawing.style import BLACK, FULL_WIDTH, ROLES
 from course_lib.optics import (
     airy_diameter,
@@ -175,16 +176,18 @@ def aperture_branches(
     ax.plot(focus, need_far, "--", color=ROLES["object"], label="needed by the far end")
     ax.plot(best, N, "o", color=BLACK, ms=19, mfc="none", mew=1.5, zorder=4)
     top = 1.15 * float(np.max([need_near, need_far]))
-    write(ax, (best, 1.45 * N), "best focus", ha="right")
+    reach = best - 0.06 * (far - near), 1.45 * N
+    stroke(ax, [reach, (best, N + 0.05 * top)], "guide", lw=1)
+    write(ax, reach, "best focus ", ha="right")
     middle = (near + far) / 2
     ax.axvline(middle, ymax=0.84, color=ROLES["guide"], lw=1.2, ls=(0, (6, 4)))
     write(ax, (middle, 0.03 * top), " half-way", "guide", ha="left", va="bottom")
-    drawn = same_shape(yours, np.zeros(2))
-    if drawn is not None and np.isfinite(drawn).all():
-        label = "your answer"
-        ax.plot(drawn[1], drawn[0], "*", color=ROLES["second"], ms=15, ls="", label=label)
     ax.set(xlabel="focus distance (mm)", ylabel="f-number (no unit)")
     ax.set(xlim=(near, far), ylim=(0, top))
+    drawn = same_shape(yours, np.zeros(2))
+    if drawn is not None:
+        words = f"N = {drawn[0]:.4g}, D = {drawn[1]:.4g} mm"
+        stars(ax, drawn[1:], drawn[:1], [words], "your answer")
     ax.legend(loc="upper center", ncols=3)
     return fig
 
