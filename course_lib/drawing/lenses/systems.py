@@ -155,13 +155,19 @@ def zoom(
         stroke(ax, [(focus, -11), (focus, 11)], "image", lw=3)
         write(ax, (-27, 6), f"d = {d:g} mm", ha="right")
         write(ax, (-27, -1), f"f = {f:.0f} mm", ha="right", fontweight="bold")
-        drawn = same_shape(None if yours is None else yours[row], np.zeros(3))
-        if drawn is not None and np.isfinite(drawn).all():
-            place, words = d + drawn[2] + drawn[0], f"yours: {drawn[0]:.0f} mm"
-            if -20 < place < end + 8:
-                ax.plot(place, 0, "*", color=ROLES["second"], ms=15, zorder=5)
-            else:
-                words += f",\nits focus at {place:.0f} mm"
-            write(ax, (-27, -8), words.replace("-", "−"), ha="right", va="top", fontsize=10)
+        _yours(ax, d, None if yours is None else yours[row], end + 8)
         fit(ax, -62, end + 8, -15, 15)
     return fig
+
+
+def _yours(ax: Axes, d: float, yours: ArrayLike | None, right: float) -> None:
+    """Write a student's focal length of a row, and mark the focus where the row shows it."""
+    drawn = same_shape(yours, np.zeros(3))
+    if drawn is None or not np.isfinite(drawn).all():
+        return
+    place, words = d + drawn[2] + drawn[0], f"yours: {drawn[0]:.0f} mm"
+    if -20 < place < right:
+        ax.plot(place, 0, "*", color=ROLES["second"], ms=15, zorder=5)
+    else:
+        words += f",\nits focus at {place:.0f} mm"
+    write(ax, (-27, -8), words.replace("-", "−"), ha="right", va="top", fontsize=10)
