@@ -80,7 +80,8 @@ class Normals(NamedTuple):
 
 def _summed(left: Array, right: Array) -> Array:
     """Return ``Σ left_iᵀ right_i``: one product, with the views below each other."""
-    return np.asarray(left.reshape(-1, left.shape[-1]).T @ right.reshape(-1, right.shape[-1]))
+    rows = left.shape[0] * left.shape[1]
+    return np.asarray(left.reshape(rows, left.shape[2]).T @ right.reshape(rows, right.shape[2]))
 
 
 def arrow(products: Array) -> Normals:

@@ -87,7 +87,7 @@ def starting_intrinsics(Hs: Array, image_size: Array, model: CameraModel) -> Arr
         K = _centred_intrinsics(units, model)
     K = np.linalg.inv(to_unit) @ K
     K /= K[2, 2]
-    K[0, 1] *= model.skew
+    K[0, 1] = K[0, 1] if model.skew else 0.0
     if model.square_pixels:
         K[0, 0] = K[1, 1] = (K[0, 0] + K[1, 1]) / 2
     return np.asarray(K)

@@ -113,15 +113,17 @@ def intrinsics_from_homographies(Hs: ArrayLike) -> Array:
     if len(Hs) == 2:
         V = np.vstack([V, [0, 1, 0, 0, 0, 0]])  # skew 0 means B12 = 0
     b = np.linalg.svd(V)[2][-1]
-    b11, b12, b22, b13, b23, b33 = _check_camera(V, b if b[0] > 0 else -b)
-    # B = λ K⁻ᵀ K⁻¹, solved from the upper left to the lower right.
-    cy = (b12 * b13 - b11 * b23) / (b11 * b22 - b12**2)
-    scale = b33 - (b13**2 + cy * (b12 * b13 - b11 * b23)) / b11
-    fx = np.sqrt(scale / b11)
-    fy = np.sqrt(scale * b11 / (b11 * b22 - b12**2))
-    s = -b12 * fx**2 * fy / scale
-    cx = s * cy / fy - b13 * fx**2 / scale
-    return np.array([[fx, s, cx], [0, fy, cy], [0, 0, 1]])
+    B = (b if b[0] > 0 else -b)[[0, 1, 3, 1, 2, 4, 3, 4, 5]].reshape(3, 3)
+    _check_determined(V)
+    try:
+        L = np.linalg.cholesky(B)  # B = K⁻ᵀ K⁻¹ up to scale, and K⁻ᵀ is lower triangular
+    except np.linalg.LinAlgError as error:
+        raise DegenerateConfigurationError(
+            "no camera makes these homographies: check the order of the corners and the number of "
+            "columns and rows, and take more views, tilted in different directions"
+        ) from error
+    K = np.linalg.inv(L.T)
+    return np.asarray(K / K[2, 2])
 
 
 def pose_from_homography(K: ArrayLike, H: ArrayLike) -> tuple[Array, Array]:
@@ -235,19 +237,13 @@ def check_homographies(H: ArrayLike) -> Array:
     return H
 
 
-def _check_camera(V: Array, b: Array) -> Array:
-    """Return b, once V decides it and B is a camera's: positive definite."""
+def _check_determined(V: Array) -> None:
+    """Raise unless only one direction fulfils the equations."""
     # Columns of one length, so that the unit of the pixels does not matter.
-    sizes = np.linalg.svd(V / np.linalg.norm(V, axis=0), compute_uv=False)
+    lengths = np.linalg.norm(V, axis=0)
+    sizes = np.linalg.svd(V / np.where(lengths > 0, lengths, 1), compute_uv=False)
     if sizes[4] < WEAKEST * sizes[0]:
         raise DegenerateConfigurationError(
             "the homographies do not determine K: the boards are parallel, or views are the same. "
             "Tilt the board in different directions"
         )
-    B = b[[0, 1, 3, 1, 2, 4, 3, 4, 5]].reshape(3, 3)
-    if not all(np.linalg.det(B[:n, :n]) > 0 for n in (1, 2, 3)):
-        raise DegenerateConfigurationError(
-            "no camera makes these homographies: check the order of the corners and the number of "
-            "columns and rows, and take more views, tilted in different directions"
-        )
-    return b
