@@ -15,6 +15,7 @@ CHAPTERS = {
     "lenses": "03_lenses",
     "sensor": "04_sensor",
     "distortion": "05_distortion",
+    "estimation": "06_estimation",
 }
 
 

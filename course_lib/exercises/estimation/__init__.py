@@ -1,0 +1,18 @@
+"""Chapter 06: the exercises on least squares, homographies and the camera's DLT."""
+
+from course_lib.exercises.estimation.fits import FIT_AFFINE, FIT_LINE, SOLVE_ONE_UNKNOWN
+from course_lib.exercises.estimation.planes import (
+    APPLY_HOMOGRAPHY,
+    HOMOGRAPHY_DLT,
+    NORMALISE_POINTS,
+)
+
+#: In the order of the lesson.
+EXERCISES = (
+    SOLVE_ONE_UNKNOWN,
+    FIT_LINE,
+    FIT_AFFINE,
+    APPLY_HOMOGRAPHY,
+    NORMALISE_POINTS,
+    HOMOGRAPHY_DLT,
+)
