@@ -106,13 +106,17 @@ def _scatter(points: Floats, sigma: float) -> float:
 
 
 @figure("A correction table: an arrow for each of its cells, drawn {times:g} times as long.")
-def correction(table: ArrayLike | None, times: float = 20.0) -> Figure:
+def correction(
+    table: ArrayLike | None, shape: tuple[int, int] = (6, 8), times: float = 20.0
+) -> Figure:
     """Show a correction table over the picture, and what it says between its cells.
 
     Parameters
     ----------
     table : array_like, shape (rows, columns, 2), optional
         Mean residuals, px.
+    shape : tuple of int
+        Rows and columns that it should have.
     times : float
         How many times too long they are drawn.
 
@@ -123,11 +127,11 @@ def correction(table: ArrayLike | None, times: float = 20.0) -> Figure:
     """
     fig, ax = panels(1, 1, (FULL_WIDTH, 4.2))
     picture_frame(ax, cell.SIZE)
-    entries = None if table is None else np.asarray(table, dtype=float)
-    if entries is None or entries.ndim != 3 or entries.shape[2] != 2:
+    rows, columns = shape
+    entries = same_shape(table, np.zeros((rows, columns, 2)))
+    if entries is None or not np.isfinite(entries).all():
         write(ax, (320, 240), "no table yet", "guide")
         return fig
-    rows, columns = entries.shape[:2]
     for k, (count, line) in enumerate(((columns, ax.axvline), (rows, ax.axhline))):
         for edge in np.arange(1, count) * cell.SIZE[k] / count - 0.5:
             line(edge, color=GREY, lw=0.8)
