@@ -51,6 +51,11 @@ EXPLORERS = {
             "height",
         ),
     ),
+    "estimation": (
+        ("least squares by hand", "least_squares_explorer", "Least squares by hand", "m"),
+        ("homography", "homography_explorer", "A homography from four corners", "u1"),
+        ("DLT under noise", "dlt_noise_explorer", "The camera's DLT under noise", "sigma"),
+    ),
 }
 
 # What is on the screen: the number of the frame drawn, or the picture that Matplotlib made. New

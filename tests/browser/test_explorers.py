@@ -45,9 +45,22 @@ EXPLORERS = {
         "Structured light: height from the shift of a stripe",
         "Its height",
     ),
+    "line": ("estimation", "least_squares_explorer", "Least squares by hand", "Slope"),
+    "corners": (
+        "estimation",
+        "homography_explorer",
+        "A homography from four corners",
+        "Bottom left, column",
+    ),
+    "noise": (
+        "estimation",
+        "dlt_noise_explorer",
+        "The camera's DLT under noise",
+        "Tallest pin",
+    ),
 }
 #: Those with a photograph that the pointer reads; everything is tried on them.
-READABLE = ("aperture", "focal", "dolly", "depth")
+READABLE = ("aperture", "focal", "dolly", "depth", "corners")
 each = pytest.mark.parametrize("explorer", EXPLORERS, indirect=True)
 each_readable = pytest.mark.parametrize("explorer", READABLE, indirect=True)
 CLUMSY = """
@@ -211,6 +224,32 @@ def test_the_keyboard_reads_pixels_too(page):
     picture.press("Shift+ArrowDown")
     assert "(241, 170) px" in reading.inner_text()
     assert "angle from the axis 1." in reading.inner_text()
+
+
+def test_a_spot_of_a_picture_can_be_dragged(page):
+    root = page.get_by_role("region", name=EXPLORERS["corners"][2])
+    root.scroll_into_view_if_needed()
+    root.get_by_role("button", name="Reset").click()
+    settle(root)
+    before = photograph(root)
+    box = root.get_by_role("img").first.bounding_box()
+    scale, mouse = box["width"] / 480, page.mouse
+    mouse.move(box["x"] + 350.5 * scale, box["y"] + 80.5 * scale)
+    mouse.down()
+    mouse.move(box["x"] + 300.5 * scale, box["y"] + 120.5 * scale, steps=12)
+    mouse.up()
+    settle(root)
+    for name, value in (("Top right, column", 300), ("Top right, row", 120)):
+        text = root.get_by_role("slider", name=name).get_attribute("aria-valuetext")
+        assert abs(int(text.removesuffix(" px")) - value) <= 1
+    assert (photograph(root) != before).mean() > 0.005
+    mouse.move(box["x"] + 200 * scale, box["y"] + 200 * scale)
+    frame = root.get_attribute("data-frame")
+    mouse.down()  # no spot is here
+    mouse.move(box["x"] + 240 * scale, box["y"] + 240 * scale, steps=5)
+    mouse.up()
+    settle(root)
+    assert root.get_attribute("data-frame") == frame
 
 
 def test_choices_and_switches_change_the_picture(page):

@@ -116,6 +116,7 @@ def _photograph(corners: Floats, H: Floats | None) -> Picture:
         _picture(),
         lines=(Line(corners, "object", 2.0, closed=True), *grid),
         probes=() if H is None else _probes(H),
+        pixels=True,
         handles=handles,
     )
 

@@ -1,0 +1,255 @@
+"""The numbers that the text of chapter 06 states are those that the library computes."""
+
+import re
+
+import numpy as np
+import pytest
+from lesson_text import lesson_text
+
+from course_lib import homogeneous, homography, least_squares, resection
+from course_lib.drawing import estimation as draw
+from course_lib.drawing.estimation import resection as later
+from course_lib.drawing.estimation import wall as walls
+from course_lib.drawing.explorers import homography as wall_explorer
+from course_lib.drawing.explorers.dlt_noise import dlt_noise_frame
+from course_lib.drawing.explorers.least_squares import least_squares_frame, squares
+from data_generators import cell
+
+TEXT = lesson_text("06_estimation")
+says = TEXT.says
+CAMERAS = {"A": cell.camera_above(), "B": cell.camera_beside()}
+MARKERS = {name: draw.found(camera, cell.MARKERS) for name, camera in CAMERAS.items()}
+GOALS = {name: draw.found(camera, draw.GOALS, seed=7) for name, camera in CAMERAS.items()}
+TABLE, BLOCK = slice(6), slice(6, 9)
+
+
+def about(value, digits):
+    """Return what agrees with a printed number of so many decimals."""
+    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
+
+
+def rms(differences):
+    return np.sqrt((differences**2).sum(axis=1).mean())
+
+
+def read(frame, label):
+    (found,) = (r for r in frame.readouts if r.label == label)
+    return float(found.value)
+
+
+# One unknown, and a line
+
+
+def test_published_solution_in_one_unknown():
+    b = draw.PIXELS
+    assert draw.BLOCKS.tolist() == [2, 3, 4]
+    x = least_squares.solve_one_unknown(draw.BLOCKS, b)
+    assert x == pytest.approx((2 * b[0] + 3 * b[1] + 4 * b[2]) / 29)
+    assert x == about(10.286, 3)
+    assert (b / draw.BLOCKS).mean() == about(10.358, 3)
+    assert (b / draw.BLOCKS).tolist() == pytest.approx([10.8, 9.9, 10.375])
+    assert (draw.BLOCKS * b).tolist() == pytest.approx([43.2, 89.1, 166.0])
+    says("{29}", "(43.2 + 89.1 + 166.0)/29 = 10.286", "(10.358)", "10.8, the second 9.9")
+    says("21.6 px, 29.7 px and 41.5 px")
+
+
+def test_the_line_of_the_bar():
+    m, c = least_squares.fit_line(draw.LOADS, draw.readings())
+    assert (m, c) == (about(45.63, 2), about(21.04, 2))
+    A = np.column_stack([draw.LOADS, np.ones(8)])
+    assert (A.T @ A).tolist() == [[204, 36], [36, 8]]
+    assert (A.T @ draw.readings()).tolist() == [10066, 1811]
+    says("204 & 36\\\\ 36 & 8", "10066\\\\ 1811", "m = 45.63,\\; c = 21.04")
+    stress = 1000 / 105
+    assert stress == about(9.52, 2)
+    assert round(stress / (m * 1e-6), -3) == 209_000
+    says("a section of 105 mm²", "209\\,000$ N/mm²", "74\\\\ 95\\\\ \\vdots\\\\ 381")
+    assert draw.readings()[[0, 1, -1]].tolist() == [74, 95, 381]
+
+
+def test_the_line_by_hand():
+    slopes = np.arange(10, 80.5, 0.5)
+    sums = [squares(slope, 100, draw.readings()) for slope in slopes]
+    assert slopes[np.argmin(sums)] == 31.5
+    assert min(sums) == 11_578
+    frame = least_squares_frame(30, 100)
+    assert read(frame, "Smallest possible") == 1300
+    assert (read(frame, "Best slope"), read(frame, "Best height")) == (45.6, 21.0)
+    assert read(least_squares_frame(30, 100, slipped=True), "Best slope") == 56.9
+    says("$m = 31.5$ with $E^2 = 11\\,578$, but 1300", "$m = 45.6$ and $c = 21.0$")
+    says("From 45.6 to 56.9")
+
+
+def test_the_robust_line():
+    A = np.column_stack([draw.LOADS, np.ones(8)])
+    fit = least_squares.solve_robust(A, draw.readings(slipped=True))
+    assert fit.x[0] == about(46.2, 1)
+    assert 1 / fit.weights[6] == about(9, 0)
+    says("The robust line says 46.2, and the slipped reading counts a ninth")
+
+
+def test_time_in_milliseconds():
+    t = 5e7 + 100 * np.arange(10)
+    A, b = np.column_stack([t, np.ones(10)]), 0.0005 * t - 24_980
+    normal, qr = np.linalg.solve(A.T @ A, A.T @ b)[1], least_squares.solve_qr(A, b)[1]
+    assert abs(qr + 24_980) < 1e-3
+    assert 1e-7 < abs(normal / -24_980 - 1) < 1e-4
+    assert np.log10(np.linalg.cond(A)) == about(13, 0)
+    says("$-24\\,980$", "sixth digit", "$10^{13}$ means that 13")
+
+
+# The table
+
+
+def affine(name):
+    A = least_squares.fit_affine(MARKERS[name], cell.MARKERS)
+    return lambda pixels: homogeneous.to_homogeneous(pixels) @ A.T
+
+
+def test_the_affine_map_of_both_cameras():
+    miss = {name: affine(name)(GOALS[name]) - draw.GOALS[:, :2] for name in CAMERAS}
+    assert rms(miss["A"][TABLE]) == about(0.2, 1)
+    sizes = np.linalg.norm(miss["B"][TABLE], axis=1)
+    assert (round(sizes.min()), round(sizes.max())) == (11, 24)
+    left = {name: rms(affine(name)(MARKERS[name]) - cell.MARKERS) for name in CAMERAS}
+    assert left == {"A": about(0.25, 2), "B": about(20.6, 1)}
+    says("to 0.2 mm. With camera B it misses by 11 to 24 mm", "0.25 mm with camera A", "20.6 mm")
+
+
+def test_height():
+    r = np.linalg.norm(cell.BLOCK[2, :2] - CAMERAS["A"].centre[:2])
+    assert (CAMERAS["A"].centre[2], cell.BLOCK[0, 2]) == (800, 60)
+    assert r == about(221, 0)
+    assert r * 60 / (800 - 60) == about(17.9, 1)
+    limit = 221 * 60 / 5 + 60
+    assert limit == 2712
+    says("17.9 mm", "$r = 221$ mm", "$H > 2712$ mm", "$H = 800$ mm, $h = 60$ mm")
+
+
+def test_homography_of_camera_b():
+    H = homography.homography_dlt(MARKERS["B"], cell.MARKERS)
+    miss = homogeneous.apply_homography(GOALS["B"], H) - draw.GOALS[:, :2]
+    assert rms(miss[TABLE]) == about(0.4, 1)
+    assert rms(miss[BLOCK]) > 60
+    says("camera B now hits to 0.4 mm")
+
+
+def test_the_small_examples():
+    H = [[4, 1, 10], [0, 5, 20], [0.5, 0.25, 1]]
+    seen = homogeneous.apply_homography([[0, 0], [1, 0], [1, 1], [0, 1]], H)
+    expected = [[10, 20], [9.33, 13.33], [8.57, 14.29], [8.8, 20]]
+    np.testing.assert_allclose(seen, expected, atol=0.005)
+    says("$(10, 20)$, $(9.33, 13.33)$, $(8.57, 14.29)$ and $(8.8, 20)$")
+    least = np.linalg.svd(np.array([[3.0, 4.0]]))[2][-1]
+    np.testing.assert_allclose(np.abs(least), [0.8, 0.6])
+    _, T = homography.normalise_points([[0, 0], [4, 0], [4, 4], [0, 4]])
+    assert T[0, 0] == 0.5
+    says("so $s = 0.5$", "$(0.8, -0.6)$")
+
+
+def condition(points, targets):
+    """Return the first by the eighth singular value of the homography's design matrix."""
+    (x, y), (u, v) = points.T, targets.T
+    one, zero = np.ones_like(x), np.zeros_like(x)
+    rows = [x, y, one, zero, zero, zero, -u * x, -u * y, -u]
+    more = [zero, zero, zero, x, y, one, -v * x, -v * y, -v]
+    sizes = np.linalg.svd(np.vstack([np.stack(rows, 1), np.stack(more, 1)]), compute_uv=False)
+    return sizes[0] / sizes[7]
+
+
+def test_normalising_mends_the_condition():
+    near = homography.normalise_points(MARKERS["B"])[0]
+    near_places = homography.normalise_points(cell.MARKERS)[0]
+    assert round(condition(MARKERS["B"], cell.MARKERS), -5) == 1_100_000
+    assert condition(near, near_places) == about(3.7, 1)
+    says("falls from 1 100 000 to 3.7")
+
+
+def test_the_wall_of_the_explorer():
+    corners = [[76, 321], [351, 288], [347, 98], [85, 26]]
+    np.testing.assert_allclose(wall_explorer.true_corners(), corners, atol=0.5)
+    frame = wall_explorer.homography_frame(*np.ravel(corners))
+    assert (read(frame, "A window is wide"), read(frame, "and high")) == (1.0, 1.3)
+    says("(76, 321), (351, 288), (347, 98), (85, 26)", "1.00 m × 1.30 m")
+    start = wall_explorer.START.copy()
+    start[2] = 230, 185
+    assert "on a line" in wall_explorer.homography_frame(*start.ravel()).readouts[0].value
+    says("column 230 and row 185", "12.0 m wide and 8.2 m high")
+
+
+def test_the_real_wall():
+    floors = [np.array(floor.split(), float).reshape(-1, 2) for floor in walls.FLOORS]
+    pixels = np.concatenate(floors)
+    places = np.array([(k, up) for up, f in enumerate(floors) for k in range(len(f))], float)
+    wall = walls.Wall(np.zeros((2, 2, 3), np.uint8), pixels, places)
+    four = draw.outer_four(wall)
+    exact = homography.homography_dlt(pixels[four], places[four])
+    off = homogeneous.apply_homography(pixels, exact) - places
+    assert rms(off) == about(0.044, 3)
+    assert np.linalg.norm(off, axis=1).max() == about(0.11, 2)
+    says("0.044 bays (RMS), up to 0.11", "32 points", "The 28 others")
+    H = homography.homography_dlt(pixels, places)
+    left, right = homogeneous.apply_homography([[152.7, 265.5], [192.7, 249.0]], H)
+    assert right[0] - left[0] == about(1.4, 1)
+    says("About 1.4 bays", "[[152.7, 265.5], [192.7, 249.0]]")
+
+
+# The whole camera
+
+
+def test_published_decomposition():
+    numbers = re.search(r"published = (\[.*?^\])", TEXT, re.MULTILINE | re.DOTALL)[1]
+    P = [[float(x) for x in row.split(",")] for row in re.findall(r"\[([^\[\]]+)\]", numbers)]
+    K, _, C = resection.decompose_projection(P)
+    np.testing.assert_allclose(K, [[468.2, 91.2, 300], [0, 427.2, 200], [0, 0, 1]], atol=0.05)
+    np.testing.assert_allclose(C, [1000, 2000, 1500], atol=0.5)
+    says("[468.2, 91.2, 300;\\; 0, 427.2, 200;\\; 0, 0, 1]", "(1000, 2000, 1500)")
+
+
+def test_where_camera_b_is():
+    dots = cell.object_points()
+    P = resection.camera_dlt(dots, draw.found(CAMERAS["B"], dots))
+    K, _, C = resection.decompose_projection(P)
+    np.testing.assert_allclose(C, [678.9, -398.8, 598.3], atol=0.051)
+    assert np.linalg.norm(C - CAMERAS["B"].centre) == about(2.4, 1)
+    assert (K[0, 0], K[1, 1]) == (about(818.0, 1), about(818.6, 1))
+    says("$(678.9, -398.8, 598.3)$ mm, 2.4 mm", "818.0 px and 818.6 px")
+    says("focal length 820 px, principal point (319.5, 239.5), centre (680, −400, 600) mm")
+    np.testing.assert_allclose(CAMERAS["B"].centre, [680, -400, 600])
+    places = np.empty((9, 2))
+    for Z, which in ((0, TABLE), (60, BLOCK)):
+        H = np.column_stack([P[:, 0], P[:, 1], Z * P[:, 2] + P[:, 3]])
+        places[which] = homogeneous.apply_homography(GOALS["B"][which], np.linalg.inv(H))
+    assert rms(places - draw.GOALS[:, :2]) == about(0.5, 1)
+    says("all nine, to 0.5 mm")
+
+
+def test_noise_of_the_dlt():
+    scatter = [
+        read(dlt_noise_frame(n, 0.5, h, 1), "Scatter, longest way")
+        for n, h in ((12, 120), (48, 120), (12, 60))
+    ]
+    assert scatter == [about(20, 0), about(8, 0), about(41, 0)]
+    says("from 20 mm to 8 mm", "from 20 mm to 41 mm")
+
+
+# What is left
+
+
+def test_the_correction_table():
+    rng = np.random.default_rng(6)
+    seen = CAMERAS["A"].project(cell.on_table(draw.SHEET))
+    seen = cell.observed(seen + cell.cover_shift(seen), 0.2, rng)
+    H = homography.homography_dlt(draw.SHEET, seen)
+    left = seen - homogeneous.apply_homography(draw.SHEET, H)
+    assert len(draw.SHEET) == 187
+    assert rms(left) == about(1.11, 2)
+    assert 0.2 * np.sqrt(2) == about(0.28, 2)
+    judged = {shape: later.judge_table(seen, left, shape) for shape in later.TABLES}
+    best = min(judged, key=lambda shape: judged[shape].held_out)
+    assert best[0] * best[1] == 80
+    assert judged[best].held_out == about(0.48, 2)
+    assert judged[12, 16].learned == about(0.31, 2)
+    assert judged[12, 16].held_out == about(0.67, 2)
+    says("187 dots", "1.11 px, where chance alone makes 0.28 px", "With 80 cells", "0.48 px")
+    says("With 192 cells", "(0.31 px), and new ones are worse (0.67 px)")
