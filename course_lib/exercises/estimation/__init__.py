@@ -1,5 +1,11 @@
 """Chapter 06: the exercises on least squares, homographies and the camera's DLT."""
 
+from course_lib.exercises.estimation.cameras import (
+    CAMERA_DLT,
+    CORRECTION_TABLE,
+    DECOMPOSE_PROJECTION,
+    EXPLAIN_RESIDUALS,
+)
 from course_lib.exercises.estimation.fits import FIT_AFFINE, FIT_LINE, SOLVE_ONE_UNKNOWN
 from course_lib.exercises.estimation.planes import (
     APPLY_HOMOGRAPHY,
@@ -15,4 +21,8 @@ EXERCISES = (
     APPLY_HOMOGRAPHY,
     NORMALISE_POINTS,
     HOMOGRAPHY_DLT,
+    CAMERA_DLT,
+    DECOMPOSE_PROJECTION,
+    CORRECTION_TABLE,
+    EXPLAIN_RESIDUALS,
 )

@@ -57,3 +57,34 @@ def homography_dlt(points, targets):
             N += np.outer(row, row)
     H = np.linalg.eigh(N)[1][:, 0].reshape(3, 3)
     return -5 * np.linalg.solve(T_q, H @ T_p)
+
+
+def camera_dlt(points, pixels):
+    """As the photogrammetrists do: eleven unknowns, the last number is 1, nothing normalised."""
+    rows, right = [], []
+    for (x, y, z), (u, v) in zip(points, pixels, strict=True):
+        rows.append([x, y, z, 1, 0, 0, 0, 0, -u * x, -u * y, -u * z])
+        rows.append([0, 0, 0, 0, x, y, z, 1, -v * x, -v * y, -v * z])
+        right += [u, v]
+    return np.append(np.linalg.lstsq(np.array(rows), np.array(right))[0], 1).reshape(3, 4)
+
+
+def decompose_projection(P):
+    """K from the triangle of Cholesky: M Mᵀ = K Kᵀ."""
+    M = P[:, :3] / np.linalg.norm(P[2, :3])
+    flip = np.eye(3)[::-1]
+    K = flip @ np.linalg.cholesky(flip @ M @ M.T @ flip) @ flip
+    R = np.linalg.solve(K, M)
+    null = np.linalg.svd(P)[2][-1]
+    return [K, R * round(np.linalg.det(R)), null[:3] / null[3]]
+
+
+def correction_table(pixels, residuals, image_size, shape):
+    """Sort the residuals into bins, one by one."""
+    (width, height), (rows, columns) = image_size, shape
+    sums, counts = np.zeros((rows, columns, 2)), np.zeros((rows, columns, 1))
+    for (u, v), residual in zip(pixels, residuals, strict=True):
+        cell = int((v + 0.5) // (height / rows)), int((u + 0.5) // (width / columns))
+        sums[cell] += residual
+        counts[cell] += 1
+    return sums / np.maximum(counts, 1)

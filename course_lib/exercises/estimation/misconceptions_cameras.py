@@ -1,0 +1,278 @@
+"""Wrong answers to the exercises of chapter 06 on camera matrices and correction tables."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from course_lib.homography import normalise_points
+
+# --- camera_dlt -------------------------------------------------------------------------------
+
+
+def _design(points: Any, pixels: Any, sign: int = -1) -> Any:
+    rows = []
+    for point, (u, v) in zip(points, pixels, strict=True):
+        X, zero = np.append(point, 1), np.zeros(4)
+        rows.append(np.concatenate([X, zero, sign * u * X]))
+        rows.append(np.concatenate([zero, X, sign * v * X]))
+    return np.array(rows)
+
+
+def _between(points: Any, pixels: Any, pick: Any = None, sign: int = -1) -> Any:
+    p, T_points = normalise_points(points)
+    q, T_pixels = normalise_points(pixels)
+    A = _design(p, q, sign)
+    P = pick(A) if pick else np.linalg.svd(A)[2][-1].reshape(3, 4)
+    return T_pixels, P, T_points
+
+
+def _undone(T_pixels: Any, P: Any, T_points: Any) -> Any:
+    return np.linalg.inv(T_pixels) @ P @ T_points
+
+
+def camera_of_normalised_points(points, pixels):
+    return _between(points, pixels)[1]
+
+
+def pixels_left_normalised(points, pixels):
+    _, P, T_points = _between(points, pixels)
+    return P @ T_points
+
+
+def points_left_normalised(points, pixels):
+    T_pixels, P, _ = _between(points, pixels)
+    return np.linalg.inv(T_pixels) @ P
+
+
+def normalised_once_more(points, pixels):
+    T_pixels, P, T_points = _between(points, pixels)
+    return T_pixels @ P @ np.linalg.inv(T_points)
+
+
+def pixels_normalised_once_more(points, pixels):
+    T_pixels, P, T_points = _between(points, pixels)
+    return T_pixels @ P @ T_points
+
+
+def longest_of_twelve(points, pixels):
+    return _undone(*_between(points, pixels, lambda A: np.linalg.svd(A)[2][0].reshape(3, 4)))
+
+
+def last_column_of_twelve(points, pixels):
+    return _undone(*_between(points, pixels, lambda A: np.linalg.svd(A)[2][:, -1].reshape(3, 4)))
+
+
+def filled_column_by_column(points, pixels):
+    return _undone(*_between(points, pixels, lambda A: np.linalg.svd(A)[2][-1].reshape(4, 3).T))
+
+
+def sign_of_the_last_four(points, pixels):
+    return _undone(*_between(points, pixels, sign=1))
+
+
+def v_for_u(points, pixels):
+    return _undone(*_between(points, pixels[:, ::-1]))
+
+
+def last_row_of_a_parallel_camera(points, pixels):
+    X = np.column_stack([points, np.ones(len(points))])
+    return np.vstack([np.linalg.lstsq(X, pixels)[0].T, [0, 0, 0, 1]])
+
+
+# --- decompose_projection ---------------------------------------------------------------------
+
+
+def _parts(P: Any) -> Any:
+    """Take P apart as it should be, with K[2, 2] still open."""
+    M = P[:, :3] * np.sign(np.linalg.det(P[:, :3]))
+    Q, U = np.linalg.qr(np.linalg.inv(M))
+    D = np.diag(np.sign(np.diag(U)))
+    return np.linalg.inv(U) @ D, D @ Q.T, -np.linalg.inv(P[:, :3]) @ P[:, 3]
+
+
+def _right(P: Any) -> Any:
+    K, R, centre = _parts(P)
+    return K / K[2, 2], R, centre
+
+
+def signs_as_they_come(P):
+    Q, U = np.linalg.qr(np.linalg.inv(P[:, :3]))
+    K = np.linalg.inv(U)
+    return K / K[2, 2], Q.T, _parts(P)[2]
+
+
+def signs_as_they_come_from_flipping(P):
+    Q, U = np.linalg.qr(P[::-1, :3].T)
+    K, R = U.T[::-1, ::-1], Q.T[::-1]
+    return K / K[2, 2], R, _parts(P)[2]
+
+
+def signs_as_they_come_after_the_mirror(P):
+    return signs_as_they_come(P * np.sign(np.linalg.det(P[:, :3])))
+
+
+def signs_of_K_only(P):
+    Q, U = np.linalg.qr(np.linalg.inv(P[:, :3] * np.sign(np.linalg.det(P[:, :3]))))
+    K = np.linalg.inv(U)
+    K = K * np.sign(np.diag(K))
+    return K / K[2, 2], Q.T, _parts(P)[2]
+
+
+def signs_of_K_only_without_the_mirror(P):
+    Q, U = np.linalg.qr(np.linalg.inv(P[:, :3]))
+    K = np.linalg.inv(U)
+    K = K * np.sign(np.diag(K))
+    return K / K[2, 2], Q.T, _parts(P)[2]
+
+
+def mirror_left_in(P):
+    K, R, centre = _right(P)
+    return K, R * np.sign(np.linalg.det(P[:, :3])), centre
+
+
+def rotation_first(P):
+    R, K = np.linalg.qr(P[:, :3])
+    return K / K[2, 2], R, _parts(P)[2]
+
+
+def rotation_first_with_signs(P):
+    R, K = np.linalg.qr(P[:, :3])
+    D = np.diag(np.sign(np.diag(K)))
+    return D @ K / abs(K[2, 2]), R @ D, _parts(P)[2]
+
+
+def K_not_divided(P):
+    return _parts(P)
+
+
+def rotation_transposed(P):
+    K, R, centre = _right(P)
+    return K, R.T, centre
+
+
+def last_column_as_centre(P):
+    K, R, _ = _right(P)
+    return K, R, P[:, 3]
+
+
+def minus_last_column_as_centre(P):
+    K, R, _ = _right(P)
+    return K, R, -P[:, 3]
+
+
+def translation_as_centre(P):
+    K, R, _ = _right(P)
+    return K, R, np.linalg.inv(_parts(P * np.sign(np.linalg.det(P[:, :3])))[0]) @ P[:, 3]
+
+
+def translation_of_a_scaled_matrix(P):
+    K, R, _ = _right(P)
+    return K, R, np.linalg.inv(K) @ P[:, 3]
+
+
+def scale_left_in_the_centre(P):
+    K, R, _ = _right(P)
+    return K, R, -R.T @ np.linalg.inv(K) @ P[:, 3]
+
+
+def last_column_without_K(P):
+    K, R, _ = _right(P)
+    return K, R, -R.T @ P[:, 3]
+
+
+def sign_of_the_centre(P):
+    K, R, centre = _right(P)
+    return K, R, -centre
+
+
+def t_for_the_centre(P):
+    K, R, centre = _right(P)
+    return K, R, -R @ centre
+
+
+# --- correction_table -------------------------------------------------------------------------
+
+
+def _cells(pixels: Any, image_size: Any, shape: Any, edge: float = 0.5) -> Any:
+    width, height = image_size
+    rows, columns = shape
+    column = np.floor((pixels[:, 0] + edge) / width * columns).astype(int)
+    row = np.floor((pixels[:, 1] + edge) / height * rows).astype(int)
+    return row.clip(0, rows - 1), column.clip(0, columns - 1)
+
+
+def _table(cells: Any, residuals: Any, shape: Any, reduce: Any) -> Any:
+    row, column = cells
+    table = np.zeros((*shape, residuals.shape[1]))
+    for r, c in np.ndindex(*shape):
+        inside = residuals[(row == r) & (column == c)]
+        if len(inside):
+            table[r, c] = reduce(inside)
+    return table
+
+
+def _mean(inside: Any) -> Any:
+    return inside.mean(axis=0)
+
+
+def edge_at_zero(pixels, residuals, image_size, shape):
+    return _table(_cells(pixels, image_size, shape, 0), residuals, shape, _mean)
+
+
+def cells_rounded(pixels, residuals, image_size, shape):
+    rows, columns = shape
+    column = np.round((pixels[:, 0] + 0.5) / image_size[0] * columns).astype(int)
+    row = np.round((pixels[:, 1] + 0.5) / image_size[1] * rows).astype(int)
+    return _table((row, column), residuals, shape, _mean)
+
+
+def sum_for_mean(pixels, residuals, image_size, shape):
+    cells = _cells(pixels, image_size, shape)
+    return _table(cells, residuals, shape, lambda inside: inside.sum(axis=0))
+
+
+def median_for_mean(pixels, residuals, image_size, shape):
+    cells = _cells(pixels, image_size, shape)
+    return _table(cells, residuals, shape, lambda inside: np.median(inside, axis=0))
+
+
+def last_one_stays(pixels, residuals, image_size, shape):
+    return _table(_cells(pixels, image_size, shape), residuals, shape, lambda inside: inside[-1])
+
+
+def one_mean_for_u_and_v(pixels, residuals, image_size, shape):
+    return _table(_cells(pixels, image_size, shape), residuals, shape, np.mean)
+
+
+def nan_where_nothing_was_seen(pixels, residuals, image_size, shape):
+    row, column = _cells(pixels, image_size, shape)
+    table = _table((row, column), residuals, shape, _mean)
+    for r, c in np.ndindex(*shape):
+        if not ((row == r) & (column == c)).any():
+            table[r, c] = np.nan
+    return table
+
+
+def minus_the_mean(pixels, residuals, image_size, shape):
+    return -_table(_cells(pixels, image_size, shape), residuals, shape, _mean)
+
+
+def columns_before_rows(pixels, residuals, image_size, shape):
+    table = _table(_cells(pixels, image_size, shape), residuals, shape, _mean)
+    return table.transpose(1, 0, 2)
+
+
+def u_down_and_v_across(pixels, residuals, image_size, shape):
+    turned = pixels[:, ::-1] * np.divide(image_size, image_size[::-1])
+    return _table(_cells(turned, image_size, shape), residuals, shape, _mean)
+
+
+def rows_from_the_bottom(pixels, residuals, image_size, shape):
+    return _table(_cells(pixels, image_size, shape), residuals, shape, _mean)[::-1]
+
+
+def divided_by_all_points(pixels, residuals, image_size, shape):
+    cells = _cells(pixels, image_size, shape)
+    return _table(cells, residuals, shape, lambda inside: inside.sum(axis=0) / len(residuals))
