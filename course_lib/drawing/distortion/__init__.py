@@ -12,7 +12,7 @@ from course_lib.drawing.distortion.mapping import (
     moved_points,
 )
 from course_lib.drawing.distortion.models import barrel_and_pincushion, profiles, where_it_acts
-from course_lib.drawing.distortion.rails import rails
+from course_lib.drawing.distortion.rails import rails, straightened_rails
 
 __all__ = [
     "angles",
@@ -26,5 +26,6 @@ __all__ = [
     "moved_points",
     "profiles",
     "rails",
+    "straightened_rails",
     "where_it_acts",
 ]

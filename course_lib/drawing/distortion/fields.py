@@ -22,9 +22,9 @@ CLASSIC_K, CLASSIC_LENS = opencv_from_bouguet(
 )
 #: Iso-lines of each part, px.
 LEVELS = {
-    "complete": np.arange(5, 30, 5),
-    "radial": np.arange(5, 30, 5),
-    "tangential": np.arange(0.02, 0.16, 0.04),
+    "complete": np.arange(5.0, 30, 5),
+    "radial": np.arange(5.0, 30, 5),
+    "tangential": np.arange(0.02, 0.15, 0.03),
 }
 
 
@@ -83,10 +83,10 @@ def _field(ax: Axes, K: Floats, coefficients: ArrayLike, size: tuple[int, int], 
 
 def _numbered(ax: Axes, lines: Any, fine: Floats, distance: Floats, levels: NDArray[Any]) -> None:
     """Write on each iso-line what it stands for, where it crosses the way to a corner."""
-    way = np.linspace(len(fine) // 2, len(fine) - 1, 60)
-    across = np.rint(fine.shape[1] / 2 + (way - way[0]) * 1.3).astype(int)
+    way = np.linspace(len(fine) // 2, 0, 60)  # from the centre to the upper right
+    across = np.rint(fine.shape[1] / 2 + (way[0] - way) * 1.3).astype(int)
     places, along = fine[way.astype(int), across], distance[way.astype(int), across]
-    reached = [float(level) for level in levels if along.min() < level < along.max()]
+    reached = [float(level) for level in levels[::2] if along.min() < level < along.max()]
     spots = [tuple(places[np.argmin(np.abs(along - level))]) for level in reached]
     texts = ax.clabel(lines, reached, manual=spots, fontsize=8, colors=BLACK, fmt="%g")
     for text in texts:

@@ -176,18 +176,18 @@ def profiles(
     for lens, style, role in zip(
         lenses, ("-", "--", "-."), ("object", "camera", "ray"), strict=False
     ):
-        ax.plot(r, _along(r, lens), style, color=ROLES[role], label=_named(lens))
-        limit = valid_radius(_opencv(lens))
+        limit, name = valid_radius(_opencv(lens)), _named(lens)
         if np.isfinite(limit):
             height = float(_along(np.array([limit]), lens)[0])
             ax.plot(limit, height, "o", color=BLACK, ms=17, mfc="none", mew=1.6, zorder=4)
-            write(ax, (limit, height - 0.14), f"folds over at r = {limit:.2f}")
+            name += f", folds over at {limit:.2f}"
+        ax.plot(r, _along(r, lens), style, color=ROLES[role], label=name)
     ax.axvspan(0, corner, color=LIGHT, lw=0, zorder=0)
     write(ax, (corner / 2, 1.6), "inside our picture", "guide")
     _your_limits(ax, lenses, yours)
     ax.set(xlabel="$r$: distance from the centre, pinhole (no unit)", xlim=(0, 1.8))
     ax.set(ylabel="$r_d$: with the lens (no unit)", ylim=(0, 1.75))
-    ax.legend(loc=(0.455, 0.02), fontsize=10)
+    ax.legend(loc=(0.45, 0.02), fontsize=9)
     return fig
 
 

@@ -9,53 +9,79 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib.distortion import straightness
-from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, write
+from course_lib.drawing.diagrams import (
+    Floats,
+    figure,
+    panels,
+    picture_frame,
+    same_shape,
+    write,
+)
 from course_lib.drawing.style import FULL_WIDTH, GREY, ROLES
-from data_generators.rails import RAILS, photograph, rail_points
+from course_lib.remapping import undistort_picture
+from data_generators.rails import LENS, RAILS, K, photograph, rail_points
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 STYLES = ("-", "--", "-.")
+ROLES_OF_RAILS = ("object", "camera", "second")
 
 
 @figure(
     "Left: a photograph of three rails with a straight edge laid over each. Right: how far the "
     "middle of each rail is from that edge, in px, along the rail."
 )
-def rails(
-    picture: NDArray[np.uint8] | None = None, points: Sequence[ArrayLike | None] | None = None
-) -> Figure:
-    """Show the rails, and how far they are from straight.
-
-    Parameters
-    ----------
-    picture : ndarray, shape (480, 640), uint8, optional
-        The photograph; the one with distortion unless given.
-    points : sequence of array_like, each of shape (N, 2), optional
-        Points on the rails in that photograph, px; a rail with None is left out.
+def rails() -> Figure:
+    """Show the rails as photographed, and how far they are from straight.
 
     Returns
     -------
     Figure
         The photograph, and the distances from the straight lines through each rail's ends.
     """
-    shown = photograph() if picture is None else picture
-    lines = rail_points(photograph()) if points is None else points
+    return _with_edges(photograph(), rail_points(photograph()))
+
+
+@figure(
+    "Left: the photograph of three rails, straightened, with a straight edge laid over each. "
+    "Right: how far the middle of each rail is from that edge, in px, along the rail."
+)
+def straightened_rails(ideal: Sequence[ArrayLike | None]) -> Figure:
+    """Show the rails without distortion, and how far they are from straight.
+
+    Parameters
+    ----------
+    ideal : sequence of array_like, each of shape (N, 2)
+        Points on rails A, B and C, as a student's function undistorted them: in normalised
+        coordinates. A rail with None, or without numbers, is left out.
+
+    Returns
+    -------
+    Figure
+        The straightened photograph, and the distances from the straight edges.
+    """
+    shapes = rail_points(photograph())
+    drawn = [same_shape(line, shape) for line, shape in zip(ideal, shapes, strict=True)]
+    lines = [None if line is None else line @ K[:2, :2].T + K[:2, 2] for line in drawn]
+    return _with_edges(undistort_picture(photograph(), K, LENS), lines)
+
+
+def _with_edges(picture: NDArray[np.uint8], lines: Sequence[Floats | None]) -> Figure:
+    """Show a picture of the rails with straight edges, and the distances from them."""
     fig, (left, right) = panels(1, 2, (FULL_WIDTH, 3.3), width_ratios=[1.15, 1])
-    left.imshow(shown, vmin=0, vmax=255)
-    for rail, line, style, role in zip(
-        RAILS, lines, STYLES, ("object", "camera", "second"), strict=True
-    ):
-        if line is not None:
-            _straight_edge(left, np.asarray(line, dtype=float), rail.name)
-            _deviation(right, np.asarray(line, dtype=float), rail.name, style, role)
-    picture_frame(left, (shown.shape[1], shown.shape[0]))
+    left.imshow(picture, vmin=0, vmax=255)
     right.axhline(0, color=GREY, lw=1)
+    for rail, line, style, role in zip(RAILS, lines, STYLES, ROLES_OF_RAILS, strict=True):
+        if line is not None and np.isfinite(line).all():
+            _straight_edge(left, line, rail.name)
+            _deviation(right, line, rail.name, style, role)
+    picture_frame(left, (picture.shape[1], picture.shape[0]))
     right.set(xlabel="u along the rail (px)", ylabel="above the straight edge (px)")
-    right.set(ylim=(-13, 21))
-    right.legend(loc="upper right", fontsize=9)
+    right.set(xlim=(90, 610), ylim=(-13, 21))
+    if len(right.lines) > 1:
+        right.legend(loc="upper right", fontsize=9)
     return fig
 
 
