@@ -54,6 +54,11 @@ ADVICE = (
     ("TypeError", "positional argument", "Is the number of arguments the one in the exercise?"),
     ("NameError", "", "Python does not know this name. Is it misspelt, or never assigned?"),
     ("UnboundLocalError", "", "This name is used before it is assigned in the function."),
+    (
+        "IndexError",
+        "too many indices",
+        "The array has fewer axes than that. With `…[..., 0]` a single point works like rows.",
+    ),
     ("IndexError", "", "There are fewer entries than the index needs; the first has index 0."),
     ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
     (

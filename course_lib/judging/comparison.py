@@ -24,6 +24,9 @@ class Mismatch:
 
 Comparison = Callable[[Any, Any], Mismatch | None]
 
+#: What an array holds that is no number: one entry, and several.
+KINDS = {"b": ("True or False", "truth values of "), "U": ("a text", "texts of ")}
+
 
 def describe(value: Any) -> str:
     """Name the type of a plain value as a student would: 'a number', 'an array of shape (4, 2)'."""
@@ -31,13 +34,13 @@ def describe(value: Any) -> str:
         return "None"
     if isinstance(value, bool):
         return "True or False"
-    if isinstance(value, int | float | complex):
+    if isinstance(value, int | float):
         return "a number"
+    if isinstance(value, complex):
+        return "a complex number"
     if isinstance(value, np.ndarray):
-        truth = value.dtype.kind == "b"
-        if not value.ndim:
-            return "True or False" if truth else "a number"
-        return f"an array of {'truth values of ' if truth else ''}shape {value.shape}"
+        one, many = KINDS.get(value.dtype.kind, ("a number", ""))
+        return f"an array of {many}shape {value.shape}" if value.ndim else one
     if isinstance(value, tuple | list):
         return f"a {type(value).__name__} of {len(value)} values"
     if isinstance(value, str | dict):
@@ -79,7 +82,9 @@ def _has_decimal_comma(got: Any) -> bool:
 
 
 def _is_transposed(array: NDArray[Any], expected: NDArray[Any]) -> bool:
-    return array.ndim == 2 and array.shape == expected.shape[::-1]
+    """Whether points stand in columns; a picture with its sides exchanged has longer rows."""
+    points = array.ndim == 2 and min(array.shape) <= 4
+    return points and array.shape == expected.shape[::-1]
 
 
 @dataclass(frozen=True)

@@ -39,6 +39,11 @@ def test_loop_over_a_single_point():
     assert "(3,)" in said(lambda points: [X / Z for X, _, Z in points], np.array([1.0, 2, 3]))
 
 
+def test_columns_of_a_single_point():
+    assert "[..., 0]" in said(lambda points: points[:, 0], np.array([1.0, 2]))
+    assert "first has index 0" in said(lambda points: points[2], np.array([1.0, 2]))
+
+
 def test_hypot_takes_two_numbers():
     assert "np.hypot(a, b)" in said(np.hypot, (36, 24))
 

@@ -53,7 +53,7 @@ def test_right_answers_agree(compare, got, expected):
         (Close(), None, POINTS, "type", "return"),
         (Close(), "text", POINTS, "type", "a text"),
         (Close(), True, 1.0, "type", "True or False"),
-        (Close(), 1j, 1.0, "type", "a number"),
+        (Close(), 1j, 1.0, "type", "a complex number"),
         (Close(), [[1, 2], [3]], POINTS, "type", "a list"),
         (Close(), POINTS.T, POINTS, "shape", "transposed"),
         (Close(), POINTS[:2], POINTS, "shape", "(3, 2) was expected"),
@@ -99,6 +99,11 @@ def test_wrong_answers_are_told_what_differs(compare, got, expected, kind, words
     assert mismatch is not None
     assert mismatch.kind == kind
     assert words in mismatch.message
+
+
+def test_picture_with_its_sides_exchanged_is_not_told_of_points():
+    assert "Points" in Close()(np.ones((2, 8)), np.ones((8, 2))).message
+    assert "Points" not in Close()(np.ones((6, 8)), np.ones((8, 6))).message
 
 
 def test_two_equal_rays_do_not_stand_for_two_different_ones():

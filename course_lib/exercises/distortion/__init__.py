@@ -1,16 +1,13 @@
 """Chapter 05: the exercises on lens distortion."""
 
 from course_lib.exercises.distortion.fisheye import FISHEYE_PROJECT
+from course_lib.exercises.distortion.full_model import DISTORT_RATIONAL_PRISM
 from course_lib.exercises.distortion.inverses import (
     EXPLAIN_FOLDED_CORNERS,
     UNDISTORT_POINTS,
     VALID_RADIUS,
 )
-from course_lib.exercises.distortion.models import (
-    DISTORT,
-    DISTORT_RADIAL,
-    DISTORT_RATIONAL_PRISM,
-)
+from course_lib.exercises.distortion.models import DISTORT, DISTORT_RADIAL
 from course_lib.exercises.distortion.pictures import STRAIGHTNESS, UNDISTORTION_MAP
 
 #: In the order of the lesson.

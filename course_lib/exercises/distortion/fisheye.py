@@ -40,10 +40,12 @@ FISHEYE_PROJECT = Exercise(
         Misconception(
             wrong.nothing_behind,
             "For a point behind the camera, is the angle more or less than a right one? And yours?",
+            also=[wrong.by_the_arcsine],
         ),
         Misconception(
             wrong.each_axis_alone,
             "There is one angle for each point: between which two directions?",
+            also=[wrong.turn_about_the_axis],
         ),
         Misconception(
             wrong.direction_not_unit,
@@ -52,6 +54,7 @@ FISHEYE_PROJECT = Exercise(
         Misconception(
             wrong.direction_from_tangents,
             "The direction in the image is a pair of length 1. Which length has yours?",
+            also=[wrong.direction_in_space],
         ),
         Misconception(
             wrong.coefficients_left_out,
@@ -72,6 +75,22 @@ FISHEYE_PROJECT = Exercise(
         Misconception(
             wrong.sides_exchanged_in_the_angle,
             "From where do you measure the angle: from the axis, or from the plane across it?",
+        ),
+        Misconception(
+            wrong.angle_left_out,
+            "With all coefficients zero, which distance has your image from the centre: the angle?",
+        ),
+        Misconception(
+            wrong.left_in_focal_lengths,
+            "Your answer is in focal lengths. What makes pixels of it?",
+        ),
+        Misconception(
+            wrong.angle_counted_twice,
+            "The angle stands before the brackets. Which powers are then left inside?",
+        ),
+        Misconception(
+            wrong.root_left_out,
+            "How far is a point from the axis: did you take the root?",
         ),
     ],
 )

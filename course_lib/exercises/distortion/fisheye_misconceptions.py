@@ -93,3 +93,35 @@ def one_focal_length(points, K, k):
 def sides_exchanged_in_the_angle(points, K, k):
     angle = np.arctan2(points[:, 2], sideways(points))
     return placed(points, K, angle * polynomial(angle, k, EVEN))
+
+
+def turn_about_the_axis(points, K, k):
+    angle = np.arctan2(points[:, 1], points[:, 0])
+    return placed(points, K, angle * polynomial(angle, k, EVEN))
+
+
+def direction_in_space(points, K, k):
+    share = sideways(points)[:, None] / length(points)
+    return on_sensor(share * imaged(points, np.eye(3), k), K)
+
+
+def by_the_arcsine(points, K, k):
+    angle = np.arcsin(sideways(points) / length(points)[:, 0])
+    return placed(points, K, angle * polynomial(angle, k, EVEN))
+
+
+def angle_left_out(points, K, k):
+    return imaged(points, K, k, np.ones_like)
+
+
+def left_in_focal_lengths(points, K, k):
+    return imaged(points, np.eye(3), k)
+
+
+def angle_counted_twice(points, K, k):
+    return imaged(points, K, k, powers=(3, 5, 7, 9))
+
+
+def root_left_out(points, K, k):
+    angle = np.arctan2(sideways(points) ** 2, points[:, 2])
+    return placed(points, K, angle * polynomial(angle, k, EVEN))

@@ -66,6 +66,33 @@ def target_lost(points, coefficients):
     return ideal
 
 
+def guess_forgotten(points, coefficients):
+    ideal = points
+    for _ in range(20):
+        ideal = points - distortion.distort(ideal, coefficients)
+    return ideal
+
+
+def guess_forgotten_from_zero(points, coefficients):
+    ideal = np.zeros_like(points)
+    for _ in range(20):
+        ideal = points - distortion.distort(ideal, coefficients)
+    return ideal
+
+
+def last_guess_divided(points, coefficients):
+    k1, k2, _, _, k3 = coefficients
+    ideal = points
+    for _ in range(20):
+        r2 = (ideal**2).sum(axis=1, keepdims=True)
+        ideal = ideal / (1 + k1 * r2 + k2 * r2**2 + k3 * r2**3)
+    return ideal
+
+
+def nothing_moved(points, coefficients):
+    return points.copy()
+
+
 # --- valid_radius -----------------------------------------------------------------------------
 
 
@@ -154,3 +181,23 @@ def divides_by_second(coefficients):
         return np.inf
     roots = [(-3 * k1 + sign * inside**0.5) / (10 * k2) for sign in (-1, 1)]
     return smallest([q for q in roots if q > 0])
+
+
+def complex_roots_compared(coefficients):
+    roots = np.roots(derivative(coefficients))
+    roots = roots[roots > 0]
+    return np.sqrt(roots.min()) if len(roots) else np.inf
+
+
+def sizes_of_complex_roots(coefficients):
+    return float(np.sqrt(np.abs(np.roots(derivative(coefficients))).min()))
+
+
+def lowest_power_first(coefficients):
+    return smallest(positive_roots(derivative(coefficients)[::-1]))
+
+
+def powers_of_the_radius(coefficients):
+    k1, k2 = coefficients
+    roots = positive_roots([3 * k2, 2 * k1, 1])
+    return min(roots) if roots else np.inf

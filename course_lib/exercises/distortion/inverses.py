@@ -56,6 +56,20 @@ UNDISTORT_POINTS = Exercise(
             wrong.target_lost,
             "With what do you compare the distorted guess: with the point that was measured?",
         ),
+        Misconception(
+            wrong.guess_forgotten,
+            "Does each round move the last guess, or put what it misses in its place?",
+            also=[wrong.guess_forgotten_from_zero],
+        ),
+        Misconception(
+            wrong.last_guess_divided,
+            "Which point should be divided by the factor in each round: your last guess, or the "
+            "measured point?",
+        ),
+        Misconception(
+            wrong.nothing_moved,
+            "Your answer is the distorted points themselves. Which line moves them?",
+        ),
         # Last, as it fits whatever comes near.
         Misconception(
             wrong.too_few_rounds,
@@ -118,6 +132,7 @@ VALID_RADIUS = Exercise(
         Misconception(
             wrong.complex_roots_kept,
             "Print the roots where nothing folds. Are those distances?",
+            also=[wrong.complex_roots_compared, wrong.sizes_of_complex_roots],
         ),
         Misconception(
             wrong.roots_not_chosen,
@@ -126,6 +141,14 @@ VALID_RADIUS = Exercise(
         Misconception(
             wrong.divides_by_second,
             "What is left of the equation when k2 is zero, and by what do you divide then?",
+        ),
+        Misconception(
+            wrong.lowest_power_first,
+            "`np.roots` wants the highest power first. With which does your list begin?",
+        ),
+        Misconception(
+            wrong.powers_of_the_radius,
+            "Which powers of r stand behind k1 and k2?",
         ),
     ],
 )

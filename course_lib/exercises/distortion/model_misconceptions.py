@@ -1,4 +1,4 @@
-"""Wrong answers to the exercises of chapter 05 on models: radial, tangential, prism."""
+"""Wrong answers to the exercises of chapter 05 on the first models."""
 
 from __future__ import annotations
 
@@ -46,6 +46,10 @@ def one_radius_for_all(points, k):
     return points * polynomial(np.sqrt((points**2).sum()), k, (2, 4, 6))
 
 
+def added_along_the_wrong_axis(points, k):
+    return points * polynomial(np.sqrt((points**2).sum(axis=0)), k, (2, 4, 6))
+
+
 def each_coordinate_alone(points, k):
     return points * polynomial(np.abs(points), k, (2, 4, 6))
 
@@ -60,6 +64,35 @@ def backwards(points, k):
 
 def from_the_last(points, k):
     return points * polynomial(length(points), k[::-1], (2, 4, 6))
+
+
+def square_taken_twice(points, k):
+    return points * polynomial(length(points), k, (4, 8, 12))
+
+
+def powers_from_the_fourth(points, k):
+    return points * polynomial(length(points), k, (4, 6, 8))
+
+
+def counted_from_zero(points, k):
+    return points * polynomial(length(points), k, (0, 2, 4))
+
+
+def last_coefficient_only(points, k):
+    return points * polynomial(length(points), k[-1:], (2 * len(k),))
+
+
+def factor_added(points, k):
+    return points + polynomial(length(points), k, (2, 4, 6))
+
+
+def opposite_sign(points, k):
+    return points * polynomial(length(points), -k, (2, 4, 6))
+
+
+def rows_do_not_fit(points, k):
+    r = np.sqrt((points**2).sum(axis=-1))
+    return points * polynomial(r, k, (2, 4, 6))
 
 
 # --- distort ----------------------------------------------------------------------------------
@@ -99,10 +132,7 @@ def own_square_forgotten(points, coefficients):
 
 
 def radial_by_distance(points, coefficients):
-    k1, k2, p1, p2, k3 = coefficients
-    r = length(points)
-    aside = brown(points, (0, 0, p1, p2, 0)) - points
-    return points * (1 + k1 * r + k2 * r**2 + k3 * r**3) + aside
+    return radial_by_powers(points, coefficients, (1, 2, 3))
 
 
 def tangential_left_out(points, coefficients):
@@ -142,77 +172,60 @@ def displacement_only(points, coefficients):
     return brown(points, coefficients) - points
 
 
-# --- distort_rational_prism -------------------------------------------------------------------
+def y_like_x(points, coefficients):
+    k1, k2, p1, p2, k3 = coefficients
+    x, _ = brown(points, coefficients).T
+    _, y = brown(points, (k1, k2, p2, p1, k3)).T
+    return np.stack([x, y], axis=1)
 
 
-def radial(points: Any, k: Any) -> Any:
-    """Return the two polynomials of the fraction."""
+def own_square_of_x(points, coefficients):
+    x, y = points.T
+    p1 = coefficients[2]
+    found = brown(points, coefficients)
+    return np.stack([found[:, 0], found[:, 1] + 2 * p1 * (x**2 - y**2)], axis=1)
+
+
+def opposite_tangential(points, coefficients):
+    k1, k2, p1, p2, k3 = coefficients
+    return brown(points, (k1, k2, -p1, -p2, k3))
+
+
+def two_squared_too(points, coefficients):
+    return brown(points, coefficients, own=4.0)
+
+
+def bracket_forgotten(points, coefficients):
+    return brown(points, coefficients, own=0.0) + 2 * points**2
+
+
+def radial_by_powers(points: Any, coefficients: Any, powers: Any) -> Any:
+    """Return distorted points with other powers in the radial factor."""
+    k1, k2, p1, p2, k3 = coefficients
+    side = brown(points, (0, 0, p1, p2, 0)) - points
+    return points * polynomial(length(points), (k1, k2, k3), powers) + side
+
+
+def square_taken_twice_again(points, coefficients):
+    return radial_by_powers(points, coefficients, (4, 8, 12))
+
+
+def powers_as_of_the_distance(points, coefficients):
+    return radial_by_powers(points, coefficients, (2, 8, 12))
+
+
+def tangential_multiplied(points, coefficients):
+    k1, k2, p1, p2, k3 = coefficients
+    side = brown(points, (0, 0, p1, p2, 0)) - points
+    return points * (polynomial(length(points), (k1, k2, k3), (2, 4, 6)) + side)
+
+
+def third_radial_left_out(points, coefficients):
+    k1, k2, p1, p2, _ = coefficients
+    return brown(points, (k1, k2, p1, p2, 0))
+
+
+def root_in_the_brackets(points, coefficients):
+    _, _, p1, p2, _ = coefficients
     r = length(points)
-    return polynomial(r, k[:3], (2, 4, 6)), polynomial(r, k[3:], (2, 4, 6))
-
-
-def aside(points: Any, p: Any, s: Any, powers: Any = (2, 4)) -> Any:
-    """Return what the tangential and prism terms add."""
-    r, (a, b) = length(points), powers
-    prism = np.concatenate([s[0] * r**a + s[1] * r**b, s[2] * r**a + s[3] * r**b], axis=1)
-    return brown(points, (0, 0, *p, 0)) - points + prism
-
-
-def fraction(points: Any, k: Any) -> Any:
-    above, below = radial(points, k)
-    return points * above / below
-
-
-def below_multiplied(points, k, p, s):
-    above, below = radial(points, k)
-    return points * above * below + aside(points, p, s)
-
-
-def below_without_one(points, k, p, s):
-    above, below = radial(points, k)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return points * above / (below - 1) + aside(points, p, s)
-
-
-def fraction_upside_down(points, k, p, s):
-    above, below = radial(points, k)
-    return points * below / above + aside(points, p, s)
-
-
-def six_powers(points, k, p, s):
-    g = polynomial(length(points), k, (2, 4, 6, 8, 10, 12))
-    return points * g + aside(points, p, s)
-
-
-def opencv_order(points, k, p, s):
-    return fraction(points, k[[0, 1, 4, 2, 3, 5]]) + aside(points, p, s)
-
-
-def prism_by_distance(points, k, p, s):
-    return fraction(points, k) + aside(points, p, s, (1, 2))
-
-
-def prism_same_power(points, k, p, s):
-    return fraction(points, k) + aside(points, p, s, (2, 2))
-
-
-def prism_alternating(points, k, p, s):
-    return fraction(points, k) + aside(points, p, s[[0, 2, 1, 3]])
-
-
-def prism_times_point(points, k, p, s):
-    prism = aside(points, (0, 0), s)
-    return fraction(points, k) + aside(points, p, np.zeros(4)) + points * prism
-
-
-def all_divided(points, k, p, s):
-    above, below = radial(points, k)
-    return (points * above + aside(points, p, s)) / below
-
-
-def prism_left_out(points, k, p, s):
-    return fraction(points, k) + aside(points, p, np.zeros(4))
-
-
-def tangential_exchanged(points, k, p, s):
-    return fraction(points, k) + aside(points, p[::-1], s)
+    return brown(points, coefficients) + (r - r**2) * [p2, p1]

@@ -1,4 +1,4 @@
-"""Exercises of chapter 05 on models: where a lens images what a pinhole would image elsewhere."""
+"""Exercises of chapter 05 on the first models: radial terms, and tangential ones."""
 
 from __future__ import annotations
 
@@ -52,6 +52,7 @@ DISTORT_RADIAL = Exercise(
         Misconception(
             wrong.one_radius_for_all,
             "One distance for all points together? Along which axis should `sum` add?",
+            also=[wrong.added_along_the_wrong_axis],
         ),
         Misconception(
             wrong.each_coordinate_alone,
@@ -69,6 +70,32 @@ DISTORT_RADIAL = Exercise(
         Misconception(
             wrong.from_the_last,
             "Which coefficient belongs to the lowest power: the first in k, or the last?",
+        ),
+        Misconception(
+            wrong.square_taken_twice,
+            "Your r2 is a square already. Which power of it belongs to k1?",
+            also=[wrong.powers_from_the_fourth],
+        ),
+        Misconception(
+            wrong.counted_from_zero,
+            "Python counts from 0. Which power of the distance does k1 get in your loop?",
+        ),
+        Misconception(
+            wrong.last_coefficient_only,
+            "Does each turn of your loop add to the factor, or begin it anew?",
+        ),
+        Misconception(
+            wrong.factor_added,
+            "Does the factor shift the point, or multiply it?",
+        ),
+        Misconception(
+            wrong.opposite_sign,
+            "Negative k1 draws points in. Does your point move that way?",
+        ),
+        Misconception(
+            wrong.rows_do_not_fit,
+            "One point works, several do not. Print the shapes of `points` and of your "
+            "distances: do they fit?",
         ),
     ],
 )
@@ -127,74 +154,49 @@ DISTORT = Exercise(
         ),
         Misconception(
             wrong.same_aside_for_both,
-            "You add the same amount to x and to y. Do p1 and p2 change places between the two "
-            "lines of the box?",
+            "You add the same number to x and to y. What differs between the two lines of the box?",
         ),
         Misconception(
             wrong.displacement_only,
             "With all coefficients zero, where is your point? And where should it be?",
         ),
-    ],
-)
-
-DISTORT_RATIONAL_PRISM = Exercise(
-    "distortion",
-    plain.distort_rational_prism,
-    points=5,
-    parts={
-        "the fraction alone": Part(inputs.fraction_alone, cases=2, weight=2),
-        "the prism alone": Part(inputs.prism_alone, cases=2, weight=2),
-        "all twelve": Part(inputs.all_twelve, cases=2, weight=1),
-    },
-    forbidden=(*FULL_MODEL, "course_lib.distortion_model.distort_rational_prism"),
-    misconceptions=[
         Misconception(
-            wrong.below_multiplied,
-            "If k4 is positive, should the picture get larger or smaller towards the corners?",
+            wrong.y_like_x,
+            "x is right, y is not. Do p1 and p2 change places between the two lines of the box?",
         ),
         Misconception(
-            wrong.below_without_one,
-            "With all coefficients zero, what is above the fraction bar, and what below?",
+            wrong.own_square_of_x,
+            "x is right, y is not. Whose own square stands in the line for y?",
         ),
         Misconception(
-            wrong.fraction_upside_down,
-            "Which three of the six coefficients stand above the fraction bar?",
+            wrong.opposite_tangential,
+            "A positive p1 moves all points down: y grows. And in your answer?",
         ),
         Misconception(
-            wrong.six_powers,
-            "You go on with higher powers. On which side of the fraction bar is k4?",
+            wrong.two_squared_too,
+            "Python takes a power before it multiplies. Is your 2 squared too?",
         ),
         Misconception(
-            wrong.opencv_order,
-            "In OpenCV's list p1 and p2 stand between. In which order does k come here?",
+            wrong.bracket_forgotten,
+            "With p1 and p2 zero, does something remain of your tangential terms? What do the "
+            "brackets hold?",
         ),
         Misconception(
-            wrong.prism_by_distance,
-            "Which power of the distance does s1 multiply: the first, or the second?",
+            wrong.square_taken_twice_again,
+            "Your r2 is a square already. Which powers of it belong to k1, k2 and k3?",
+            also=[wrong.powers_as_of_the_distance],
         ),
         Misconception(
-            wrong.prism_same_power,
-            "What is the difference between s1 and s2, if both multiply the same power?",
+            wrong.tangential_multiplied,
+            "Are the tangential terms added to the point, or does the point multiply them?",
         ),
         Misconception(
-            wrong.prism_alternating,
-            "Which two of the four prism coefficients move x?",
+            wrong.third_radial_left_out,
+            "One of the five coefficients changes nothing in your answer. Which?",
         ),
         Misconception(
-            wrong.prism_times_point,
-            "A prism moves all points at one distance by the same amount. Do yours?",
-        ),
-        Misconception(
-            wrong.all_divided,
-            "Which terms does the fraction multiply: all of them, or x and y alone?",
-        ),
-        Misconception(
-            wrong.prism_left_out,
-            "Four of the twelve coefficients change nothing in your answer. Which?",
-        ),
-        Misconception(
-            wrong.tangential_exchanged,
-            "Which of p1 and p2 stands before the cross term 2 x y in x, and which in y?",
+            wrong.root_in_the_brackets,
+            "In the brackets behind p1 and p2: is it the distance, or its square?",
         ),
     ],
 )

@@ -99,6 +99,38 @@ def displacements(K, coefficients, image_size):
     return map_u - np.arange(map_u.shape[1]), map_v - np.arange(map_u.shape[0])[:, None]
 
 
+def size_exchanged(K, coefficients, image_size):
+    return mapped(K, coefficients, image_size[::-1])
+
+
+def left_flat(K, coefficients, image_size):
+    map_u, map_v = mapped(K, coefficients, image_size)
+    return map_u.ravel(), map_v.ravel()
+
+
+def centre_left_out(K, coefficients, image_size):
+    return mapped(np.diag(np.diag(K)), coefficients, image_size)
+
+
+def stretched_to_the_width(K, coefficients, image_size):
+    width, height = image_size
+    u, v = np.meshgrid(np.linspace(0, width, width), np.linspace(0, height, height))
+    return looked_up(K, coefficients, (u - K[0, 2]) / K[0, 0], (v - K[1, 2]) / K[1, 1])
+
+
+def quotient_before_difference(K, coefficients, image_size):
+    width, height = image_size
+    u, v = np.meshgrid(np.arange(width), np.arange(height))
+    return looked_up(K, coefficients, u - K[0, 2] / K[0, 0], v - K[1, 2] / K[1, 1])
+
+
+def looked_up(K: Any, coefficients: Any, x: Any, y: Any) -> Any:
+    """Return columns and rows of tangents after the lens."""
+    found = distortion.distort(np.stack([x.ravel(), y.ravel()], axis=1), coefficients)
+    map_u, map_v = (found * K[[0, 1], [0, 1]] + K[:2, 2]).T
+    return map_u.reshape(x.shape), map_v.reshape(x.shape)
+
+
 # --- straightness -----------------------------------------------------------------------------
 
 
@@ -164,3 +196,25 @@ def by_freedom(points):
 
 def by_one_less(points):
     return float(np.sqrt(np.sum(across(points) ** 2) / (len(points) - 1)))
+
+
+def from_side_to_side(points):
+    return float(np.ptp(across(points)))
+
+
+def centred_by_point(points):
+    centred = points - points.mean(axis=1, keepdims=True)
+    return float(np.linalg.svd(centred)[1][1] / np.sqrt(len(points)))
+
+
+def measured_from_the_origin(points):
+    direction = np.linalg.svd(points - points.mean(axis=0))[2][1]
+    return float(np.sqrt(np.mean((points @ direction) ** 2)))
+
+
+def one_mean_for_both(points):
+    return float(np.linalg.svd(points - points.mean())[1][1] / np.sqrt(len(points)))
+
+
+def divided_by_the_count(points):
+    return float(np.linalg.norm(across(points)) / len(points))

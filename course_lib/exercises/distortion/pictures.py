@@ -78,6 +78,27 @@ UNDISTORTION_MAP = Exercise(
             wrong.displacements,
             "Is this where to look, or how far from there?",
         ),
+        Misconception(
+            wrong.size_exchanged,
+            "With which of the two does image_size begin: width, or height?",
+        ),
+        Misconception(
+            wrong.left_flat,
+            "A map has rows and columns, like a picture. Which shape has yours?",
+        ),
+        Misconception(
+            wrong.centre_left_out,
+            "From where do tangents count: from the corner of the picture, or from the principal "
+            "point?",
+        ),
+        Misconception(
+            wrong.stretched_to_the_width,
+            "Print the columns of one row of your grid. How far is it from one pixel to the next?",
+        ),
+        Misconception(
+            wrong.quotient_before_difference,
+            "Python divides before it subtracts. What belongs above the fraction bar?",
+        ),
     ],
 )
 
@@ -104,7 +125,8 @@ STRAIGHTNESS = Exercise(
         ),
         Misconception(
             wrong.largest_distance,
-            "This is the worst point. Which mean of all of them is asked for?",
+            "This depends on the worst points alone. Which mean of all of them is asked for?",
+            also=[wrong.from_side_to_side],
         ),
         Misconception(
             wrong.root_forgotten,
@@ -116,7 +138,8 @@ STRAIGHTNESS = Exercise(
         ),
         Misconception(
             wrong.signed_mean,
-            "Points on both sides of the line cancel. What keeps them from doing so?",
+            "Your answer is zero for every line. Print it before the last step: what cancels out?",
+            also=[wrong.centred_by_point],
         ),
         Misconception(
             wrong.by_the_ends,
@@ -130,11 +153,16 @@ STRAIGHTNESS = Exercise(
         Misconception(
             wrong.not_centred,
             "Through which point does the best line pass? Does yours pass there?",
+            also=[wrong.measured_from_the_origin, wrong.one_mean_for_both],
         ),
         Misconception(
             wrong.by_freedom,
             "A mean over all points: by which number do you divide?",
             also=[wrong.by_one_less],
+        ),
+        Misconception(
+            wrong.divided_by_the_count,
+            "Your number is a root already. What becomes of the number of points below a root?",
         ),
     ],
 )
