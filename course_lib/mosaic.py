@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.ndimage import convolve
 
 from course_lib.checks import Array, check_numbers
 
@@ -129,28 +130,16 @@ def demosaic_bilinear(mosaic: ArrayLike) -> Array:
     array([10.,  2.,  7.])
     """
     mosaic = check_numbers(mosaic, "mosaic")
-    bayer_masks(mosaic.shape)  # raises unless there are whole squares
-    rows, columns = mosaic.shape
-    # Steps to the neighbours that hold a colour; none where the pixel has seen it itself.
-    across, upright = [(0, -1), (0, 1)], [(-1, 0), (1, 0)]
-    cross, diagonal = across + upright, [(-1, -1), (-1, 1), (1, -1), (1, 1)]
-    places = {
-        (0, 0): ([], cross, diagonal),
-        (0, 1): (across, [], upright),
-        (1, 0): (upright, [], across),
-        (1, 1): (diagonal, cross, []),
-    }
-    # A frame of zeros lets every pixel have 8 neighbours; only those inside are counted.
-    values, inside = np.pad(mosaic, 1), np.pad(np.ones(mosaic.shape), 1)
-    image = np.repeat(mosaic[..., None], 3, axis=-1)
-    for (row, column), colours in places.items():
-        for colour, steps in enumerate(colours):
-            starts = [(1 + row + r, 1 + column + c) for r, c in steps]
-            near = [np.s_[top : top + rows : 2, left : left + columns : 2] for top, left in starts]
-            if near:
-                mean = sum(values[place] for place in near) / sum(inside[place] for place in near)
-                image[row::2, column::2, colour] = mean
-    return image
+    seen = bayer_masks(mosaic.shape).astype(np.float64)
+    green = np.array([[0, 1, 0], [1, 4, 1], [0, 1, 0]]) / 4
+    red_or_blue = np.array([[1, 2, 1], [2, 4, 2], [1, 2, 1]]) / 4
+    layers = []
+    for colour, weights in enumerate((red_or_blue, green, red_or_blue)):
+        here = seen[..., colour]
+        known = convolve(mosaic * here, weights, mode="constant")
+        # At the edge some neighbours are missing: divide by the weights of those that are there.
+        layers.append(known / convolve(here, weights, mode="constant"))
+    return np.stack(layers, axis=-1)
 
 
 def check_colour(image: ArrayLike, name: str) -> NDArray[np.generic]:

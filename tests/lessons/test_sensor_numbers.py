@@ -6,7 +6,7 @@ from lesson_text import lesson_text
 
 from course_lib import illumination, optics, sensor
 from course_lib.drawing import sensor as draw
-from course_lib.drawing.explorers import exposure, rolling_shutter
+from course_lib.drawing.explorers import bayer, exposure, rolling_shutter
 from data_generators import belt
 
 TEXT = lesson_text("04_sensor")
@@ -25,6 +25,8 @@ def test_exposure_values():
     ratios = np.divide(draw.STOPS[1:], draw.STOPS[:-1]) ** 2
     np.testing.assert_allclose(ratios, 2, rtol=0.07)  # the printed numbers are rounded
     says(r"$\log_2 (256 \cdot 125) = 15.0$", "$2^{10} = 1024$", "f/16, 1/125 s, ISO 100: 15.0")
+    assert sensor.exposure_value(16, 1 / 125, 400) == pytest.approx(13.0, abs=0.05)
+    says(r"$15.0 - \log_2 4 = 13.0$")
 
 
 def test_equivalent_time():
@@ -60,6 +62,7 @@ def test_what_the_explorer_shows():
     assert blurs == (4.4, 3.1)
     says("340 photons into a pixel instead of 27 165", "from 128 to 13", "f/2.8 give 129")
     says("blurred by 4.4 px at f/2.8 and by 3.1 px at f/4", "45 mm higher than the belt")
+    says("Half a pixel is 0.1 mm, and 800 mm/s need 0.125 ms")
     assert exposure.CARTON == 45
 
 
@@ -68,6 +71,10 @@ def test_the_chain_in_one_pixel():
     assert sensor.sensor_response(8000, model) == 1024
     assert model.white == 4095
     says("8000 photons at 0.6 make 4800 electrons", r"$4800 \cdot 0.2 + 64 = 1024$ DN")
+    assert sensor.sensor_response(50_000, model) == 3064
+    assert sensor.sensor_response(50_000, model.amplified(4)) == 4095
+    assert 15_000 * 0.8 + 64 == 12_064
+    says(r"$15\,000\cdot 0.2 + 64 = 3064$ DN", "it would be 12 064, but 4095 is written")
 
 
 def test_noise():
@@ -83,6 +90,8 @@ def test_noise():
     assert np.hypot(5, model.quantisation_noise) == pytest.approx(5.13, abs=0.005)
     assert sensor.stops(ratio) == pytest.approx(11.5, abs=0.05)
     assert sensor.decibels(ratio) == pytest.approx(69, abs=0.5)
+    assert model.quantisation_noise == pytest.approx(1.15, abs=0.005)
+    says(r"$\sigma_q^2 = 1.15^2 = 1.3$", "a gain of 0.25")
     says(r"$15\,000 / 5.13 = 2923$", r"$\log_2 2923 = 11.5$", "= 69$ dB")
 
 
@@ -174,18 +183,42 @@ def test_stripes():
 def test_back_to_the_belt():
     t = 0.5 * 0.2 / 800
     assert t == pytest.approx(0.125e-3)
-    assert 0.01 / t == pytest.approx(80)
-    assert 500 * 80 == 40_000
-    assert readings(t, 4, 100, 40_000, 800)["Signal to noise, label"] == 128
+    dim = 27_165 * t / 0.01
+    assert dim == pytest.approx(340, abs=0.5)
+    assert 10_000 / 0.6 == pytest.approx(16_700, abs=50)
+    assert 16_667 / dim == pytest.approx(49, abs=0.2)
     model = sensor.SensorModel(full_well=20_000, read_noise=6, gain=exposure.SENSOR.gain)
-    assert sensor.signal_to_noise(27_165, model) == pytest.approx(128, abs=0.5)
+    lux = np.array([24_600, 25_000])
+    enough = sensor.signal_to_noise(dim * lux / 500, model)
+    assert enough == pytest.approx([100, 101], abs=0.5)
+    assert readings(t, 4, 100, 25_000, 800)["Signal to noise, label"] == 101
+    says("16\\,700$ photons: 49 times as many", "24 600 lx", "an SNR of 101", "340 photons")
+    says("a quarter of full sunlight (about 100 000 lx)")
     assert f"read_noise=6, gain={exposure.SENSOR.gain:g})" in TEXT
     assert pytest.approx(0.182) == 0.2 * 455 / 500
     assert sensor.motion_blur_pixels(800, t, 0.182) == pytest.approx(0.55, abs=0.005)
-    says(
-        "= 0.18$ mm",
-        "= 0.55$ px",
-        "0.125 ms",
-        "80 times the light, 40 000 lx, brings back the SNR of 128",
-    )
+    says("= 0.18$ mm", "= 0.55$ px", "$= 0.125$ ms")
     assert optics.magnification(25, 500) * 0.2 == pytest.approx(exposure.pitch_um() / 1000)
+
+
+def test_the_star_behind_the_mosaic():
+    errors = []
+    for softness in (0, 0.5, 1):
+        frame = bayer.bayer_frame(bayer.STAR, bayer.FILTERS, 60, 0.5, 0.5, softness)
+        errors.append(next(r.value for r in frame.readouts if "RMS" in r.label))
+    assert errors == ["25.2", "15.1", "2.5"]
+    says("wrong by 25.2 %", "0.5 px leaves 15.1 %", "1 px only 2.5 %")
+
+
+def test_the_worked_greens():
+    small = [[10, 20, 12, 24], [30, 90, 34, 94], [14, 28, 16, 32], [38, 98, 42, 99]]
+    green = sensor.demosaic_bilinear(small)[..., 1]
+    assert (green[0, 1], green[1, 0], green[0, 0], green[1, 1]) == (20, 30, 25, 28)
+    says(f"small = np.array({small})", "so its green is 25", "has 20, 34, 28 and 30 around it: 28")
+
+
+def test_the_worked_flat_field():
+    even = sensor.flat_field([[110, 60]], [[10, 10]], [[210, 110]])
+    assert even.tolist() == [[75, 75]]
+    says("110 and 60 in the picture, 10 and 10 in the dark, 210 and 110 in the flat picture")
+    says(r"$100/200\cdot 150 = 50/100\cdot 150 = 75$")
