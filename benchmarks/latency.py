@@ -51,6 +51,10 @@ EXPLORERS = {
             "height",
         ),
     ),
+    "distortion": (
+        ("distortion", "distortion_explorer", "Lens distortion", "k1"),
+        ("undistort", "undistort_explorer", "Straighten a photograph", "k1"),
+    ),
     "estimation": (
         ("least squares by hand", "least_squares_explorer", "Least squares by hand", "m"),
         ("homography", "homography_explorer", "A homography from four corners", "u1"),

@@ -45,6 +45,13 @@ EXPLORERS = {
         "Structured light: height from the shift of a stripe",
         "Its height",
     ),
+    "lens": ("distortion", "distortion_explorer", "Lens distortion", "Radial k₁"),
+    "straight": (
+        "distortion",
+        "undistort_explorer",
+        "Straighten a photograph",
+        "Radial k₁",
+    ),
     "line": ("estimation", "least_squares_explorer", "Least squares by hand", "Slope"),
     "corners": (
         "estimation",
