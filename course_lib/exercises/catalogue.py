@@ -16,6 +16,7 @@ CHAPTERS = {
     "sensor": "04_sensor",
     "distortion": "05_distortion",
     "estimation": "06_estimation",
+    "calibration": "07_calibration",
 }
 
 

@@ -1,0 +1,192 @@
+"""Exercises of chapter 07 on the board and the closed form: points, constraints, K, poses."""
+
+from __future__ import annotations
+
+from course_lib.exercises.calibration import closed_form_misconceptions as wrong
+from course_lib.exercises.calibration import inputs, plain
+from course_lib.judging import Close, Exercise, Misconception, Part
+
+BOARD_POINTS = Exercise(
+    "calibration",
+    plain.board_points,
+    points=5,
+    parts={
+        "more columns than rows": Part(inputs.landscape_board, weight=3),
+        "more rows than columns": Part(inputs.portrait_board, weight=2),
+    },
+    forbidden=("course_lib.calibration_views.board_points", "course_lib.boards.grid_points"),
+    misconceptions=[
+        Misconception(
+            wrong.columns_and_rows_swapped,
+            "How many corners does your first row have before y changes: as many as there are "
+            "columns?",
+        ),
+        Misconception(
+            wrong.square_forgotten,
+            "Your corners are 1 apart. In which unit, and how far apart are they on the board?",
+        ),
+        Misconception(
+            wrong.column_after_column,
+            "All corners are there. Which is the second one in your list: the next in the row?",
+        ),
+        Misconception(
+            wrong.x_and_y_swapped,
+            "Which coordinate changes as you walk along a row of the board?",
+        ),
+        Misconception(
+            wrong.squares_counted,
+            "Are inner corners asked for, where four squares meet, or all corners of squares?",
+        ),
+        Misconception(
+            wrong.first_corner_at_one,
+            "Where is the origin of the board's frame: at your first corner?",
+        ),
+        Misconception(
+            wrong.origin_in_the_middle,
+            "Where should the first corner be? Yours lies on the negative side.",
+        ),
+        Misconception(
+            wrong.without_z,
+            "A point of space has three coordinates. Which is the third, on a flat board?",
+        ),
+    ],
+)
+
+HOMOGRAPHY_CONSTRAINTS = Exercise(
+    "calibration",
+    plain.homography_constraints,
+    points=7,
+    parts={
+        "small whole numbers": Part(inputs.small_homography, weight=3),
+        "a view of a board": Part(inputs.view_of_a_board, weight=4),
+    },
+    forbidden=("course_lib.zhang.homography_constraints",),
+    misconceptions=[
+        Misconception(
+            wrong.rows_for_columns,
+            "H is K times r1, r2 and t, side by side. Are h1 and h2 then rows of H, or columns?",
+        ),
+        Misconception(
+            wrong.lengths_added,
+            "r1 and r2 are equally long. Is it their sum that is zero?",
+        ),
+        Misconception(
+            wrong.half_of_the_mixed_products,
+            "B12 stands twice in B, once above the diagonal and once below. Do both count?",
+        ),
+        Misconception(
+            wrong.in_the_order_of_rows,
+            "Which number of b is the third: B13, or B22?",
+        ),
+        Misconception(
+            wrong.equations_swapped,
+            "Both equations are there. Which of them should be in the first row?",
+        ),
+        Misconception(
+            wrong.only_one_length,
+            "Your second row says that r1 has no length. With what should it be compared?",
+        ),
+        Misconception(
+            wrong.second_and_third_column,
+            "Which columns of H come from the rotation, and which one from t?",
+        ),
+    ],
+)
+
+INTRINSICS_FROM_HOMOGRAPHIES = Exercise(
+    "calibration",
+    plain.intrinsics_from_homographies,
+    points=8,
+    compare=Close(rtol=1e-5, atol=1e-3),
+    parts={
+        "three views": Part(inputs.three_views, weight=5),
+        "six views, with skew": Part(inputs.many_views_with_skew, weight=3),
+    },
+    forbidden=("course_lib.zhang.intrinsics_from_homographies",),
+    misconceptions=[
+        Misconception(
+            wrong.not_scaled,
+            "B is only known up to a scale. Which entry of K do you know beforehand?",
+        ),
+        Misconception(
+            wrong.inverse_left_out,
+            "The factor of B is not yet K. What does B hold: K, or its inverse?",
+        ),
+        Misconception(
+            wrong.lower_triangle,
+            "Your numbers stand below the diagonal. Where should those of K stand?",
+        ),
+        Misconception(
+            wrong.B_itself_inverted,
+            "You inverted B as a whole. Of which two factors, each a triangle, is B made?",
+        ),
+        Misconception(
+            wrong.B_for_K,
+            "This is B, and symmetric. Which triangular matrix is inside it?",
+        ),
+        Misconception(
+            wrong.order_of_b_mixed_up,
+            "Cholesky finds no factor. Does b belong to the smallest singular value, is B11 "
+            "positive, and where in B does the third number of b go?",
+            also=[wrong.largest_singular_value],
+        ),
+    ],
+)
+
+POSE_FROM_HOMOGRAPHY = Exercise(
+    "calibration",
+    plain.pose_from_homography,
+    points=8,
+    parts={
+        "an exact homography": Part(inputs.exact_homography, weight=3),
+        "with a negative factor": Part(inputs.negative_homography, weight=2),
+        "with noise": Part(inputs.noisy_homography, weight=3),
+    },
+    forbidden=(
+        "course_lib.zhang.pose_from_homography",
+        "cv2.solvePnP",
+        "cv2.decomposeHomographyMat",
+    ),
+    misconceptions=[
+        Misconception(
+            wrong.intrinsics_left_out,
+            "H holds pixels, a pose holds lengths. What stands between them?",
+        ),
+        Misconception(
+            wrong.K_not_inverted,
+            "K makes pixels of directions. Which way do you have to go here?",
+        ),
+        Misconception(
+            wrong.behind_the_camera,
+            "Look at the third number of your t: is the board before the camera?",
+        ),
+        Misconception(
+            wrong.not_a_rotation,
+            "Multiply your R by its transpose. Is that the identity when H has noise?",
+        ),
+        Misconception(
+            wrong.lengths_mended_only,
+            "Your columns are of length 1. Are the first two perpendicular when H has noise?",
+        ),
+        Misconception(
+            wrong.t_not_scaled,
+            "You scaled r1 and r2. Which of the three columns has the same unknown factor?",
+        ),
+        Misconception(
+            wrong.t_scaled_by_r1,
+            "With noise r1 and r2 are not equally long. Which length does the task ask for?",
+        ),
+        Misconception(
+            wrong.mirrored,
+            "What is the determinant of your R? A right hand should not become a left one.",
+        ),
+        Misconception(
+            wrong.camera_to_board,
+            "Your R leads from the camera to the board. Which way does a pose go here?",
+        ),
+        Misconception(
+            wrong.third_column_in_R,
+            "The third column of H belongs to t. Where does the third axis of the board come from?",
+        ),
+    ],
+)

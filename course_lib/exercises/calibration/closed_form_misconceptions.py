@@ -1,0 +1,225 @@
+"""Wrong answers to the exercises of chapter 07 on the board and the closed form."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from course_lib.calibration import homography_constraints
+
+# --- board_points -----------------------------------------------------------------------------
+
+
+def columns_and_rows_swapped(columns, rows, square):
+    return grid(rows, columns) * square
+
+
+def square_forgotten(columns, rows, square):
+    return grid(columns, rows)
+
+
+def column_after_column(columns, rows, square):
+    return grid(rows, columns)[:, [1, 0, 2]] * square
+
+
+def x_and_y_swapped(columns, rows, square):
+    return grid(columns, rows)[:, [1, 0, 2]] * square
+
+
+def squares_counted(columns, rows, square):
+    return grid(columns + 1, rows + 1) * square
+
+
+def first_corner_at_one(columns, rows, square):
+    return (grid(columns, rows) + [1, 1, 0]) * square
+
+
+def origin_in_the_middle(columns, rows, square):
+    points = grid(columns, rows) * square
+    return points - points.mean(axis=0)
+
+
+def without_z(columns, rows, square):
+    return grid(columns, rows)[:, :2] * square
+
+
+def grid(columns, rows):
+    return np.array([(c, r, 0.0) for r in range(rows) for c in range(columns)])
+
+
+# --- homography_constraints -------------------------------------------------------------------
+
+
+def v(p, q):
+    return np.array(
+        [
+            p[0] * q[0],
+            p[0] * q[1] + p[1] * q[0],
+            p[1] * q[1],
+            p[0] * q[2] + p[2] * q[0],
+            p[1] * q[2] + p[2] * q[1],
+            p[2] * q[2],
+        ]
+    )
+
+
+def rows_for_columns(H):
+    h1, h2 = H[0], H[1]
+    return np.array([v(h1, h2), v(h1, h1) - v(h2, h2)])
+
+
+def lengths_added(H):
+    h1, h2 = H[:, 0], H[:, 1]
+    return np.array([v(h1, h2), v(h1, h1) + v(h2, h2)])
+
+
+def half_of_the_mixed_products(H):
+    h1, h2 = H[:, 0], H[:, 1]
+    return np.array([once(h1, h2), once(h1, h1) - once(h2, h2)])
+
+
+def once(p, q):
+    return np.array([p[0] * q[0], p[0] * q[1], p[1] * q[1], p[0] * q[2], p[1] * q[2], p[2] * q[2]])
+
+
+def in_the_order_of_rows(H):
+    h1, h2 = H[:, 0], H[:, 1]
+    return np.array([v(h1, h2), v(h1, h1) - v(h2, h2)])[:, [0, 1, 3, 2, 4, 5]]
+
+
+def equations_swapped(H):
+    h1, h2 = H[:, 0], H[:, 1]
+    return np.array([v(h1, h1) - v(h2, h2), v(h1, h2)])
+
+
+def only_one_length(H):
+    h1, h2 = H[:, 0], H[:, 1]
+    return np.array([v(h1, h2), v(h1, h1)])
+
+
+def second_and_third_column(H):
+    h2, h3 = H[:, 1], H[:, 2]
+    return np.array([v(h2, h3), v(h2, h2) - v(h3, h3)])
+
+
+# --- intrinsics_from_homographies -------------------------------------------------------------
+
+
+def null_vector(Hs):
+    V = np.vstack([homography_constraints(H) for H in Hs])
+    b = np.linalg.svd(V)[2][-1]
+    return b if b[0] > 0 else -b
+
+
+def matrix(b):
+    b11, b12, b22, b13, b23, b33 = b
+    return np.array([[b11, b12, b13], [b12, b22, b23], [b13, b23, b33]])
+
+
+def not_scaled(Hs):
+    return np.linalg.inv(np.linalg.cholesky(matrix(null_vector(Hs))).T)
+
+
+def inverse_left_out(Hs):
+    K = np.linalg.cholesky(matrix(null_vector(Hs))).T
+    return K / K[2, 2]
+
+
+def lower_triangle(Hs):
+    K = np.linalg.inv(np.linalg.cholesky(matrix(null_vector(Hs))))
+    return K / K[2, 2]
+
+
+def B_itself_inverted(Hs):
+    K = np.linalg.inv(matrix(null_vector(Hs)))
+    return K / K[2, 2]
+
+
+def B_for_K(Hs):
+    B = matrix(null_vector(Hs))
+    return B / B[2, 2]
+
+
+def order_of_b_mixed_up(Hs):
+    b11, b12, b13, b22, b23, b33 = null_vector(Hs)
+    B = np.array([[b11, b12, b13], [b12, b22, b23], [b13, b23, b33]])
+    return factor(B)
+
+
+def largest_singular_value(Hs):
+    V = np.vstack([homography_constraints(H) for H in Hs])
+    b = np.linalg.svd(V)[2][0]
+    return factor(matrix(b if b[0] > 0 else -b))
+
+
+def factor(B):
+    K = np.linalg.inv(np.linalg.cholesky(B).T)
+    return K / K[2, 2]
+
+
+# --- pose_from_homography ---------------------------------------------------------------------
+
+
+def scaled(M):
+    M = M / np.mean([np.linalg.norm(M[:, 0]), np.linalg.norm(M[:, 1])])
+    return -M if M[2, 2] < 0 else M
+
+
+def nearest_rotation(M):
+    U, _, Vt = np.linalg.svd(np.column_stack([M[:, 0], M[:, 1], np.cross(M[:, 0], M[:, 1])]))
+    return U @ Vt
+
+
+def intrinsics_left_out(K, H):
+    M = scaled(H)
+    return nearest_rotation(M), M[:, 2]
+
+
+def K_not_inverted(K, H):
+    M = scaled(K @ H)
+    return nearest_rotation(M), M[:, 2]
+
+
+def behind_the_camera(K, H):
+    M = scaled(np.linalg.inv(K) @ H) * (1 if H[2, 2] > 0 else -1)
+    return nearest_rotation(M), M[:, 2]
+
+
+def not_a_rotation(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    r1, r2, t = M.T
+    return np.column_stack([r1, r2, np.cross(r1, r2)]), t
+
+
+def lengths_mended_only(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    r1, r2, t = M.T
+    r1, r2 = r1 / np.linalg.norm(r1), r2 / np.linalg.norm(r2)
+    return np.column_stack([r1, r2, np.cross(r1, r2)]), t
+
+
+def t_not_scaled(K, H):
+    M = np.linalg.inv(K) @ H
+    return nearest_rotation(scaled(M)), M[:, 2]
+
+
+def t_scaled_by_r1(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    return nearest_rotation(M), M[:, 2] / np.linalg.norm(M[:, 0])
+
+
+def mirrored(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    r1, r2, t = M.T
+    U, _, Vt = np.linalg.svd(np.column_stack([r1, r2, np.cross(r2, r1)]))
+    return U @ Vt, t
+
+
+def camera_to_board(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    return nearest_rotation(M).T, M[:, 2]
+
+
+def third_column_in_R(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    U, _, Vt = np.linalg.svd(M)
+    return U @ Vt, M[:, 2]

@@ -1,0 +1,104 @@
+"""Exercises of chapter 07 on judging a calibration: views to reject, covariance, a question."""
+
+from __future__ import annotations
+
+from course_lib.exercises.calibration import inputs, plain
+from course_lib.exercises.calibration import refinement_misconceptions as wrong
+from course_lib.judging import Exercise, Explain, Misconception, Part, YesOrNo
+
+REJECT_VIEWS = Exercise(
+    "calibration",
+    plain.reject_views,
+    points=5,
+    compare=YesOrNo(),
+    parts={
+        "one very bad view": Part(inputs.one_bad_view, weight=3),
+        "another limit": Part(inputs.another_limit, weight=2),
+    },
+    forbidden=("course_lib.calibration_judgement.reject_views",),
+    misconceptions=[
+        Misconception(
+            wrong.those_to_reject,
+            "Which views do you mark with True: those that stay, or those that go?",
+        ),
+        Misconception(
+            wrong.mean_for_median,
+            "A very bad view is among them. What does it do to the value that you compare with?",
+            also=[wrong.mean_and_deviation],
+        ),
+        Misconception(
+            wrong.limit_in_pixels,
+            "Is the limit a number of pixels, or how many times larger than usual?",
+        ),
+        Misconception(
+            wrong.compared_with_the_best,
+            "Is the best view the usual one?",
+        ),
+        Misconception(
+            wrong.above_the_median,
+            "Half of all views are above the median, always. Where does the limit come in?",
+        ),
+    ],
+)
+
+PARAMETER_COVARIANCE = Exercise(
+    "calibration",
+    plain.parameter_covariance,
+    points=6,
+    parts={
+        "two parameters": Part(inputs.small_fit, weight=3),
+        "five parameters of different size": Part(inputs.larger_fit, weight=3),
+    },
+    forbidden=("course_lib.linear_least_squares.parameter_covariance",),
+    misconceptions=[
+        Misconception(
+            wrong.divided_by_all,
+            "With as many parameters as residuals all are zero. What should be divided by then?",
+        ),
+        Misconception(
+            wrong.divided_by_points,
+            "You count points. How many residuals does a point give?",
+        ),
+        Misconception(
+            wrong.residuals_left_out,
+            "Suppose the corners were found twice as badly. Does your answer notice?",
+        ),
+        Misconception(
+            wrong.deviation_for_variance,
+            "You multiply with a standard deviation. Which unit should a covariance of px have?",
+        ),
+        Misconception(
+            wrong.not_inverted,
+            "The more strongly a parameter moves the pixels, the better it is known. Is it so in "
+            "yours?",
+        ),
+        Misconception(
+            wrong.roots_of_the_diagonal,
+            "These are standard deviations. Which matrix did you take them from?",
+        ),
+        Misconception(
+            wrong.diagonal_inverted_only,
+            "You took each parameter alone. Do f and the distance of the board not act alike?",
+        ),
+    ],
+)
+
+EXPLAIN_SMALL_RMS = Explain(
+    "calibration",
+    "explain_small_rms",
+    rubric=[
+        (1, "Says that the RMS only tells how well the model fits these pictures."),
+        (1, "Says that parallel boards, or boards in the middle, leave parameters undetermined."),
+        (1, "Names how to see it: large sigma, coverage, or the error on held-out pictures."),
+        (1, "Says what to photograph: tilted boards in several directions, out to the corners."),
+    ],
+    model_answer=(
+        "The RMS says how well the camera explains the corners it was calibrated with. Boards that "
+        "all face the camera say the same again and again: a longer focal length and a larger "
+        "distance give nearly the same pictures, so f can be far off while the RMS stays small. And "
+        "where no corner was, in the corners of the picture, the distortion is only extrapolated. "
+        "One sees it in the standard deviations, in the coverage of the picture, and in the error on "
+        "pictures that were kept out. Better: ten pictures with the board tilted by 20 to 45 degrees "
+        "in different directions, near and far, out to the corners of the picture."
+    ),
+)

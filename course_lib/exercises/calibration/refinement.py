@@ -1,0 +1,189 @@
+"""Exercises of chapter 07 on the refinement: first distortion, residuals, one step."""
+
+from __future__ import annotations
+
+from course_lib.exercises.calibration import inputs, plain
+from course_lib.exercises.calibration import refinement_misconceptions as wrong
+from course_lib.judging import Exercise, Misconception, Part
+
+INITIAL_DISTORTION = Exercise(
+    "calibration",
+    plain.initial_distortion,
+    points=8,
+    parts={
+        "exact points": Part(inputs.exactly_bent, weight=5),
+        "points with noise": Part(inputs.bent_with_noise, weight=3),
+    },
+    forbidden=("course_lib.zhang.initial_distortion",),
+    misconceptions=[
+        Misconception(
+            wrong.correction_for_distortion,
+            "For a barrel lens k1 is negative. Do you go from the ideal point to the observed one?",
+        ),
+        Misconception(
+            wrong.powers_of_r,
+            "Which powers of r do k1 and k2 belong to?",
+        ),
+        Misconception(
+            wrong.radius_in_pixels,
+            "Your coefficients are tiny. In which coordinates is r measured?",
+        ),
+        Misconception(
+            wrong.not_from_the_principal_point,
+            "From which point does the lens move the others away, and are distances from there?",
+        ),
+        Misconception(
+            wrong.normalised_on_one_side,
+            "On one side of your equations are pixels. In which unit is the other side?",
+        ),
+        Misconception(
+            wrong.equations_of_u_only,
+            "Without noise it is right. Are the equations of v in your system, too?",
+        ),
+        Misconception(
+            wrong.radius_of_the_observed,
+            "Nearly right. Is r the distance of the ideal point, or of the observed one?",
+        ),
+        Misconception(
+            wrong.k1_only,
+            "Your k2 is zero. How many unknowns does the system have?",
+        ),
+    ],
+)
+
+REPROJECTION_RESIDUALS = Exercise(
+    "calibration",
+    plain.reprojection_residuals,
+    points=8,
+    parts={
+        "without distortion": Part(inputs.without_distortion, weight=4),
+        "with distortion": Part(inputs.with_distortion, weight=4),
+    },
+    forbidden=(
+        "course_lib.calibration_judgement.reprojection_residuals",
+        "cv2.projectPoints",
+    ),
+    misconceptions=[
+        Misconception(
+            wrong.observed_minus_projected,
+            "The sizes are right. Which of the two is subtracted from the other?",
+        ),
+        Misconception(
+            wrong.distortion_left_out,
+            "Without distortion it is right. Where do k1 and k2 come in?",
+        ),
+        Misconception(
+            wrong.radius_not_squared,
+            "Which power of the distance does k1 belong to, and which one k2?",
+        ),
+        Misconception(
+            wrong.pixels_distorted,
+            "Does the lens bend rays before they become pixels, or afterwards?",
+        ),
+        Misconception(
+            wrong.distortion_backwards,
+            "You take distortion off. Do you start from the ideal point, or from the observed one?",
+        ),
+        Misconception(
+            wrong.rotation_transposed,
+            "Points are rows here. What must happen to a matrix that multiplies from the right?",
+        ),
+        Misconception(
+            wrong.moved_before_turned,
+            "Is t counted along the axes of the board or along those of the camera?",
+        ),
+        Misconception(
+            wrong.half_a_pixel_off,
+            "All your residuals are off by the same half. Where is the centre of the first pixel: "
+            "at 0 or at 0.5?",
+            also=[wrong.half_a_pixel_back],
+        ),
+        Misconception(
+            wrong.principal_point_left_out,
+            "All your residuals are off by hundreds of pixels. Where does the axis meet the "
+            "picture?",
+        ),
+        Misconception(
+            wrong.lengths_of_residuals,
+            "These are distances. Which two numbers are asked for at each point?",
+        ),
+    ],
+)
+
+RMS_ERROR = Exercise(
+    "calibration",
+    plain.rms_error,
+    points=4,
+    parts={
+        "five points": Part(inputs.few_residuals, weight=2),
+        "a whole board": Part(inputs.many_residuals, weight=2),
+    },
+    forbidden=("course_lib.calibration_judgement.rms_error",),
+    misconceptions=[
+        Misconception(
+            wrong.over_coordinates,
+            "You divide by the number of coordinates. How many points are that?",
+        ),
+        Misconception(
+            wrong.mean_length,
+            "In which order do square, mean and root come in a root mean square?",
+        ),
+        Misconception(
+            wrong.root_left_out,
+            "In which unit is your answer: px, or px squared?",
+        ),
+        Misconception(
+            wrong.largest_error,
+            "That is how far the worst point is off. What of the others?",
+        ),
+        Misconception(
+            wrong.length_of_the_mean,
+            "Two residuals that point in opposite directions: do they cancel out in yours?",
+        ),
+        Misconception(
+            wrong.not_divided,
+            "With twice as many points, does your error grow? Where is the mean?",
+        ),
+    ],
+)
+
+REFINE_CALIBRATION = Exercise(
+    "calibration",
+    plain.refine_calibration,
+    points=7,
+    parts={
+        "without damping": Part(inputs.undamped_step, weight=3),
+        "with damping": Part(inputs.damped_step, weight=4),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.uphill,
+            "Put your step into the linear problem: do the residuals get smaller or larger?",
+        ),
+        Misconception(
+            wrong.step_only,
+            "This is the step. Where does it lead to?",
+        ),
+        Misconception(
+            wrong.not_damped,
+            "Where does the damping come in? Try a very large one: how long is your step then?",
+        ),
+        Misconception(
+            wrong.ones_on_the_diagonal,
+            "A focal length and a k1 differ by thousands. Is the damping the same for both?",
+        ),
+        Misconception(
+            wrong.all_entries_damped,
+            "You damp the whole matrix. Which of its entries does D have?",
+        ),
+        Misconception(
+            wrong.downhill_only,
+            "That is the direction downhill. Which system of equations tells how far to go?",
+        ),
+        Misconception(
+            wrong.diagonal_only,
+            "The parameters are tied to each other. Where have the other entries of the matrix "
+            "gone?",
+        ),
+    ],
+)

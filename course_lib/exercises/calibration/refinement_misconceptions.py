@@ -1,0 +1,265 @@
+"""Wrong answers to the exercises of chapter 07 on distortion, residuals and the refinement."""
+
+from __future__ import annotations
+
+import numpy as np
+
+# --- initial_distortion -----------------------------------------------------------------------
+
+
+def design(ideal, K, first=2, second=4, centre=None, focal=None):
+    """Return the two columns of the equations, with powers of r to choose."""
+    centre = K[:2, 2] if centre is None else centre
+    focal = np.array([K[0, 0], K[1, 1]]) if focal is None else focal
+    offset = ideal - centre
+    r = np.hypot(*(offset / focal).T)[:, None]
+    return np.stack([offset * r**first, offset * r**second], axis=-1)
+
+
+def solved(A, b):
+    return np.linalg.lstsq(A.reshape(-1, 2), b.ravel(), rcond=None)[0]
+
+
+def correction_for_distortion(ideal, observed, K):
+    return solved(design(ideal, K), ideal - observed)
+
+
+def powers_of_r(ideal, observed, K):
+    return solved(design(ideal, K, 1, 2), observed - ideal)
+
+
+def radius_in_pixels(ideal, observed, K):
+    return solved(design(ideal, K, focal=1.0), observed - ideal)
+
+
+def not_from_the_principal_point(ideal, observed, K):
+    return solved(design(ideal, K, centre=0.0), observed - ideal)
+
+
+def normalised_on_one_side(ideal, observed, K):
+    A = design(ideal, K) / np.array([K[0, 0], K[1, 1]])[:, None]
+    return solved(A, observed - ideal)
+
+
+def equations_of_u_only(ideal, observed, K):
+    return np.linalg.lstsq(design(ideal, K)[:, 0], (observed - ideal)[:, 0], rcond=None)[0]
+
+
+def radius_of_the_observed(ideal, observed, K):
+    focal = np.array([K[0, 0], K[1, 1]])
+    r = np.hypot(*((observed - K[:2, 2]) / focal).T)[:, None]
+    offset = ideal - K[:2, 2]
+    return solved(np.stack([offset * r**2, offset * r**4], axis=-1), observed - ideal)
+
+
+def k1_only(ideal, observed, K):
+    A = design(ideal, K)[..., 0].ravel()
+    return np.array([A @ (observed - ideal).ravel() / (A @ A), 0])
+
+
+# --- reprojection_residuals -------------------------------------------------------------------
+
+
+def pixels_of(points, K, R, t, k):
+    """Return the pixels, rightly."""
+    X = points @ R.T + t
+    return bent(X[:, :2] / X[:, 2:], k) @ K[:2, :2].T + K[:2, 2]
+
+
+def bent(x, k):
+    r2 = (x**2).sum(axis=1, keepdims=True)
+    return x * (1 + k[0] * r2 + k[1] * r2**2)
+
+
+def observed_minus_projected(points, pixels, K, R, t, k):
+    return pixels - pixels_of(points, K, R, t, k)
+
+
+def distortion_left_out(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, t, [0, 0]) - pixels
+
+
+def radius_not_squared(points, pixels, K, R, t, k):
+    X = points @ R.T + t
+    x = X[:, :2] / X[:, 2:]
+    r = np.hypot(*x.T)[:, None]
+    return x * (1 + k[0] * r + k[1] * r**2) @ K[:2, :2].T + K[:2, 2] - pixels
+
+
+def pixels_distorted(points, pixels, K, R, t, k):
+    X = points @ R.T + t
+    return bent(X[:, :2] / X[:, 2:] @ K[:2, :2].T + K[:2, 2], k) - pixels
+
+
+def distortion_backwards(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, t, -np.asarray(k)) - pixels
+
+
+def rotation_transposed(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R.T, t, k) - pixels
+
+
+def moved_before_turned(points, pixels, K, R, t, k):
+    return pixels_of(points + t, K, R, np.zeros(3), k) - pixels
+
+
+def half_a_pixel_off(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, t, k) + 0.5 - pixels
+
+
+def half_a_pixel_back(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, t, k) - 0.5 - pixels
+
+
+def principal_point_left_out(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, t, k) - K[:2, 2] - pixels
+
+
+def lengths_of_residuals(points, pixels, K, R, t, k):
+    return np.linalg.norm(pixels_of(points, K, R, t, k) - pixels, axis=1)
+
+
+# --- rms_error --------------------------------------------------------------------------------
+
+
+def over_coordinates(residuals):
+    return np.sqrt((residuals**2).mean())
+
+
+def mean_length(residuals):
+    return np.hypot(*residuals.T).mean()
+
+
+def root_left_out(residuals):
+    return (residuals**2).sum(axis=1).mean()
+
+
+def largest_error(residuals):
+    return np.hypot(*residuals.T).max()
+
+
+def length_of_the_mean(residuals):
+    return np.hypot(*residuals.mean(axis=0))
+
+
+def not_divided(residuals):
+    return np.sqrt((residuals**2).sum())
+
+
+# --- refine_calibration -----------------------------------------------------------------------
+
+
+def step_with(J, residuals, added):
+    return np.linalg.solve(J.T @ J + added, -J.T @ residuals)
+
+
+def marquardt(J, damping):
+    return damping * np.diag(np.diag(J.T @ J))
+
+
+def uphill(parameters, residuals, J, damping):
+    return parameters - step_with(J, residuals, marquardt(J, damping))
+
+
+def step_only(parameters, residuals, J, damping):
+    return step_with(J, residuals, marquardt(J, damping))
+
+
+def not_damped(parameters, residuals, J, damping):
+    return parameters + step_with(J, residuals, 0)
+
+
+def ones_on_the_diagonal(parameters, residuals, J, damping):
+    return parameters + step_with(J, residuals, damping * np.eye(len(parameters)))
+
+
+def all_entries_damped(parameters, residuals, J, damping):
+    return parameters + step_with(J, residuals, damping * J.T @ J)
+
+
+def downhill_only(parameters, residuals, J, damping):
+    return parameters - J.T @ residuals
+
+
+def diagonal_only(parameters, residuals, J, damping):
+    N = np.diag(np.diag(J.T @ J))
+    return parameters + np.linalg.solve((1 + damping) * N, -J.T @ residuals)
+
+
+def diagonal_of_J(parameters, residuals, J, damping):
+    return parameters + step_with(J, residuals, damping * np.diag(np.diag(J)))
+
+
+# --- reject_views -----------------------------------------------------------------------------
+
+
+def view_rms(residuals):
+    return np.sqrt((residuals**2).sum(axis=2).mean(axis=1))
+
+
+def those_to_reject(residuals, limit):
+    rms = view_rms(residuals)
+    return rms > limit * np.median(rms)
+
+
+def mean_for_median(residuals, limit):
+    rms = view_rms(residuals)
+    return rms <= limit * rms.mean()
+
+
+def mean_and_deviation(residuals, limit):
+    rms = view_rms(residuals)
+    return rms <= rms.mean() + limit * rms.std()
+
+
+def limit_in_pixels(residuals, limit):
+    return view_rms(residuals) <= limit
+
+
+def compared_with_the_best(residuals, limit):
+    rms = view_rms(residuals)
+    return rms <= limit * rms.min()
+
+
+def above_the_median(residuals, limit):
+    rms = view_rms(residuals)
+    return rms <= np.median(rms)
+
+
+# --- parameter_covariance ---------------------------------------------------------------------
+
+
+def variance_with(J, residuals, freedom):
+    return residuals @ residuals / freedom * np.linalg.inv(J.T @ J)
+
+
+def divided_by_all(J, residuals):
+    return variance_with(J, residuals, len(residuals))
+
+
+def divided_by_points(J, residuals):
+    return variance_with(J, residuals, len(residuals) / 2)
+
+
+def residuals_left_out(J, residuals):
+    return np.linalg.inv(J.T @ J)
+
+
+def deviation_for_variance(J, residuals):
+    m, n = J.shape
+    return np.sqrt(residuals @ residuals / (m - n)) * np.linalg.inv(J.T @ J)
+
+
+def not_inverted(J, residuals):
+    m, n = J.shape
+    return residuals @ residuals / (m - n) * (J.T @ J)
+
+
+def roots_of_the_diagonal(J, residuals):
+    m, n = J.shape
+    return np.sqrt(np.diag(variance_with(J, residuals, m - n)))
+
+
+def diagonal_inverted_only(J, residuals):
+    m, n = J.shape
+    return residuals @ residuals / (m - n) * np.diag(1 / np.diag(J.T @ J))
