@@ -1,5 +1,6 @@
 """The numbers that the text of chapter 05 states are those that the library computes."""
 
+import cv2
 import numpy as np
 import pytest
 from lesson_text import lesson_text
@@ -141,6 +142,16 @@ def test_guesses():
     assert guesses[1:] == about(np.array([0.4964, 0.4995, 0.4999]), 4)
     assert about(0.4536, 4) == 0.475 * (1 - 0.2 * 0.475**2)
     says("goes to 0.4536 and misses by 0.0214", "= 0.4964$, the one after it 0.4995, then 0.4999")
+
+
+@pytest.mark.parametrize(("k", "error"), [(LENS[:4], 0.06), ((-0.4, 0.15, 0, 0), 0.5)])
+def test_five_rounds_of_opencv_are_not_enough(k, error):
+    pixels = distortion.pixel_grid(rails.SIZE, 33, 25).reshape(-1, 2)
+    theirs = cv2.undistortPoints(pixels[:, None], K, np.array(k))[:, 0]
+    ours = distortion.undistort_points(distortion.normalised_from_pixels(pixels, K), k)
+    off = 536 * np.hypot(*(ours - theirs).T)
+    assert off.max() == pytest.approx(error, rel=0.06)
+    says("an error of 0.06 px for our lens, and of half a pixel for $k_1 = -0.4$, $k_2 = 0.15$")
 
 
 def test_valid_radius():

@@ -144,7 +144,7 @@ def _level_label(level: float, distance: Floats, fine: Floats) -> list[Label]:
     if not len(over) or over[0] == 0:
         return []
     u, v = fine[row, fine.shape[1] // 2 + over[0]]
-    return [Label(f"{level:g}", (float(u) - 4, float(v) - 9), anchor="middle")]
+    return [Label(f"{level:g}", (min(float(u) - 4, SIZE[0] - 14.0), float(v) - 9), anchor="middle")]
 
 
 def _arrows(places: Floats, moves: Floats) -> Floats:
