@@ -39,7 +39,6 @@ FIGURES = {
     "calibration_object": lambda: draw.calibration_object(PIXELS, P),
     "calibration_object alone": lambda: draw.calibration_object(PIXELS),
     "correction": lambda: draw.correction(TABLE),
-    "flat_is_bad": draw.flat_is_bad,
     "held_out": lambda: draw.held_out(SEEN, LEFT),
     "misses": lambda: draw.misses({"all": draw.GOALS[:, :2] + 9, "none": None}, draw.GOALS),
     "one_unknown": lambda: draw.one_unknown(yours=10.3),
@@ -134,10 +133,14 @@ def test_the_robust_line_passes_the_slip_by():
 
 def test_misses_are_drawn_from_the_goal_to_the_needle():
     figure = draw.misses({"both": draw.GOALS[:, :2] + [3, -4]}, draw.GOALS, times=10)
-    arrows = [a for a in figure.axes[0].texts if hasattr(a, "arrow_patch")]
-    ways = np.array([np.subtract(a.xy, a.xyann) for a in arrows])
+    ways = [np.diff(line, axis=0)[0] for line in lines(figure, "object") if len(line) == 2]
     np.testing.assert_allclose(ways, np.tile([30, -40], (9, 1)))
-    assert figure.axes[0].get_title(loc="left") == "both: 5.00 mm"
+    crosses = [line[0] for line in lines(figure, "object") if len(line) == 1]
+    np.testing.assert_allclose(crosses, draw.GOALS[:, :2] + [30, -40])
+    title = figure.axes[0].get_title(loc="left")
+    assert title == "both: table 5.00 mm, block 5.00 mm"
+    flat = draw.misses({"both": draw.GOALS[:6, :2] + [30, -40]}, draw.GOALS[:6, :2])
+    assert flat.axes[0].get_title(loc="left") == "both: 50.0 mm"
 
 
 def test_a_higher_target_is_missed_by_what_the_formula_says():
@@ -190,12 +193,6 @@ def test_rings_are_where_the_camera_matrix_puts_the_dots():
     (rings,) = [x for x in figure.axes[0].lines if x.get_marker() == "o"]
     np.testing.assert_allclose(rings.get_xydata(), CAMERA.project(cell.object_points()), atol=1.0)
     assert figure.axes[0].get_title(loc="left") == "rings: P, 0.26 px from the dots"
-
-
-def test_flat_points_scatter_the_camera():
-    (curve,) = lines(draw.flat_is_bad(), "object")
-    assert (np.diff(curve[:, 1]) < 0).all()
-    assert curve[0, 1] > 20 * curve[-1, 1]
 
 
 def test_the_table_says_what_the_cover_does():

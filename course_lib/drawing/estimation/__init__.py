@@ -15,7 +15,6 @@ from course_lib.drawing.estimation.resection import (
     SHEET,
     calibration_object,
     correction,
-    flat_is_bad,
     held_out,
 )
 from course_lib.drawing.estimation.table import (
@@ -44,7 +43,6 @@ __all__ = [
     "building",
     "calibration_object",
     "correction",
-    "flat_is_bad",
     "found",
     "held_out",
     "misses",

@@ -7,10 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.checks import DegenerateConfigurationError
 from course_lib.correction import HeldOut, correction_from_table, correction_table, hold_out
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
-from course_lib.drawing.explorers.dlt_noise import centres, pins
 from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
 from course_lib.projection import project
 from data_generators import cell
@@ -19,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-#: The dots of a sheet that lies on the table, mm: as far apart as the robot's needle is thick.
+#: The dots of a sheet that lies on the table, mm.
 SHEET = np.stack(np.meshgrid(np.arange(0, 481, 30.0), np.arange(0, 321, 32.0)), -1).reshape(-1, 2)
 #: Cells of correction tables: (rows, columns).
 TABLES = ((1, 1), (2, 2), (2, 3), (3, 4), (4, 5), (5, 7), (6, 8), (8, 10), (10, 13), (12, 16))
@@ -70,39 +68,6 @@ def _projected(axes: Floats, P: Floats, pixels: Floats) -> str:
             axes[0].text(*tip, f"${name}$", color="white", fontsize=12)
     rms = np.sqrt(((seen - pixels) ** 2).sum(axis=1).mean())
     return f"rings: P, {rms:.2f} px from the dots"
-
-
-@figure("How far from the truth the camera is found, against the height of the pins.")
-def flat_is_bad(n: int = 24, sigma: float = 0.2) -> Figure:
-    """Show how the scatter of the centre grows as the points approach a plane.
-
-    Parameters
-    ----------
-    n : int
-        Number of points.
-    sigma : float
-        Their standard deviation, px.
-
-    Returns
-    -------
-    Figure
-        On logarithmic axes.
-    """
-    heights = np.array([3, 5, 10, 20, 40, 80, 160, 200.0])
-    scatter = [_scatter(pins(n, h), sigma) for h in heights]
-    fig, ax = panels(1, 1, (FULL_WIDTH, 3.0))
-    ax.loglog(heights, scatter, "o-", color=ROLES["object"])
-    ax.set(xlabel="tallest pin (mm)", ylabel="scatter of the centre (mm)")
-    ax.set_xticks([3, 10, 30, 100, 200], ["3", "10", "30", "100", "200"])
-    ax.minorticks_off()
-    return fig
-
-
-def _scatter(points: Floats, sigma: float) -> float:
-    found = centres(points, sigma, 1)
-    if found is None:
-        raise DegenerateConfigurationError("these pins lie in one plane")
-    return float(np.sqrt(((found - found.mean(axis=0)) ** 2).sum(axis=1).mean()))
 
 
 @figure("A correction table: an arrow for each of its cells, drawn {times:g} times as long.")

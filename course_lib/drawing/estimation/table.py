@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from course_lib.camera import Camera
 from course_lib.drawing.diagrams import (
@@ -89,7 +89,7 @@ def _robot_axes(ax: Axes, camera: Camera) -> None:
         )
 
 
-@figure("Where the needle goes instead of where it should, on the table from above.")
+@figure("Where the needle goes (crosses) instead of where it should, on the table from above.")
 def misses(results: Mapping[str, ArrayLike | None], goals: ArrayLike, times: float = 1.0) -> Figure:
     """Show places on the table and how far the needle is from them.
 
@@ -105,7 +105,8 @@ def misses(results: Mapping[str, ArrayLike | None], goals: ArrayLike, times: flo
     Returns
     -------
     Figure
-        A panel for each result, with the root of the mean square.
+        A panel for each result with a cross where the needle goes, and the root of the mean
+        square.
     """
     places = np.asarray(goals, dtype=float)
     fig, axes = panels(1, len(results), (FULL_WIDTH, 3.0), squeeze=False)
@@ -118,17 +119,27 @@ def misses(results: Mapping[str, ArrayLike | None], goals: ArrayLike, times: flo
             continue
         miss = there - places[:, :2]
         for goal, way in zip(places[:, :2], times * miss, strict=True):
-            arrow = {"arrowstyle": "-|>", "color": ROLES["object"], "lw": 1.8}
-            ax.annotate(
-                "",
-                xy=tuple(goal + way),
-                xytext=tuple(goal),
-                arrowprops=arrow | {"shrinkA": 0, "shrinkB": 0},
-            )
-        ax.set_title(f"{title}: {np.sqrt((miss**2).sum(axis=1).mean()):.2f} mm")
+            ax.plot(*np.array([goal, goal + way]).T, color=ROLES["object"], lw=2, zorder=3)
+            ax.plot(*(goal + way), "x", color=ROLES["object"], ms=6, mew=1.6, zorder=3)
+        ax.set_title(f"{title}: {_how_far(miss, places)}", fontsize=10.5)
     note = f"misses drawn {times:g} times as long" if times != 1 else "misses drawn to scale"
     fig.suptitle(note, fontsize=9, color=GREY, x=0.99, ha="right")
     return fig
+
+
+def _how_far(miss: Floats, places: Floats) -> str:
+    """Return the root of the mean square of misses, on the table and on the block, in words."""
+    high = _are_high(places)
+    groups = {"table": miss[~high], "block": miss[high]} if high.any() else {"": miss}
+    sizes = {name: np.sqrt((m**2).sum(axis=1).mean()) for name, m in groups.items()}
+    return ", ".join(
+        f"{name} {size:.{1 if size >= 10 else 2}f} mm" for name, size in sizes.items()
+    ).strip()
+
+
+def _are_high(places: Floats) -> NDArray[np.bool_]:
+    """Return which places are above the table."""
+    return places[:, 2] > 0 if places.shape[1] == 3 else np.zeros(len(places), bool)
 
 
 def _table(ax: Axes, places: Floats) -> None:
@@ -136,7 +147,7 @@ def _table(ax: Axes, places: Floats) -> None:
     ax.set_aspect("equal")
     ax.set_facecolor(LIGHT)
     ax.plot(*cell.MARKERS.T, "s", color="white", ms=5, zorder=1)
-    high = places[:, 2] > 0 if places.shape[1] == 3 else np.zeros(len(places), bool)
+    high = _are_high(places)
     for chosen, mark in ((~high, "o"), (high, "s")):
         ax.plot(*places[chosen, :2].T, mark, color=BLACK, ms=4, zorder=2)
     ax.set(xlim=(-60, 540), ylim=(-60, 380), xlabel="x (mm)", ylabel="y (mm)")
