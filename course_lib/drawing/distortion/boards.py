@@ -110,10 +110,13 @@ def board_lines(picture: NDArray[np.uint8]) -> list[Floats]:
 @cache
 def all_lines() -> list[Floats]:
     """Return the lines of all thirteen photographs; of the computed one without a network."""
-    pictures = [board_photograph(name) for name in PHOTOGRAPHS]
-    if not all(real for _, real in pictures):
-        return board_lines(computed_board())
-    return [line for picture, _ in pictures for line in board_lines(picture)]
+    lines = []
+    for name in PHOTOGRAPHS:
+        picture, real = board_photograph(name)
+        if not real:  # one that does not arrive is enough: each may take a long while
+            return board_lines(computed_board())
+        lines += board_lines(picture)
+    return lines
 
 
 def most_bent(lines: Sequence[ArrayLike]) -> int:
