@@ -10,16 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from course_lib.calibration_views import board_points
 from course_lib.checks import Array, check_length
 
 #: Fewer points in a row or column make no grid.
 FEWEST, MOST = 2, 200
-
-
-def grid_points(columns: int, rows: int, pitch: float) -> Array:
-    """Return the points of a grid, row after row, shape (rows columns, 3), z = 0."""
-    y, x = np.indices((rows, columns)).reshape(2, -1) * pitch
-    return np.stack([x, y, np.zeros_like(x)], axis=1)
 
 
 def _check_counts(columns: int, rows: int, what: str) -> None:
@@ -58,7 +53,7 @@ class Checkerboard:
 
     def points(self) -> Array:
         """Return the inner corners in the board's frame, shape (rows columns, 3)."""
-        return grid_points(self.columns, self.rows, self.square)
+        return board_points(self.columns, self.rows, self.square)
 
     @property
     def name(self) -> str:
@@ -100,7 +95,7 @@ class DotGrid:
 
     def points(self) -> Array:
         """Return the dots' centres in the board's frame, shape (rows columns, 3)."""
-        return grid_points(self.columns, self.rows, self.pitch)
+        return board_points(self.columns, self.rows, self.pitch)
 
     @property
     def name(self) -> str:
@@ -143,7 +138,7 @@ class Charuco:
 
     def points(self) -> Array:
         """Return the inner corners in the board's frame, shape (rows columns, 3)."""
-        return grid_points(self.columns, self.rows, self.square)
+        return board_points(self.columns, self.rows, self.square)
 
     @property
     def name(self) -> str:
@@ -192,7 +187,7 @@ class SquareGrid:
         Square after square, row by row; each from its upper left corner to the right and around.
         """
         around = self.square * np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.0]])
-        corners = grid_points(self.columns, self.rows, self.pitch)[:, None] + around
+        corners = board_points(self.columns, self.rows, self.pitch)[:, None] + around
         return np.asarray(corners.reshape(-1, 3))
 
     @property

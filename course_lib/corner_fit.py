@@ -86,7 +86,7 @@ def refine_corners(
     Examples
     --------
     >>> board = np.kron([[0, 1], [1, 0]], np.ones((8, 8)))
-    >>> refine_corners(board, [[8.4, 7.1]]).round(3)
+    >>> refine_corners(board, [[8.4, 7.1]]).round(2)
     array([[7.5, 7.5]])
     """
     return fit_corners(image, corners, reach, share).points

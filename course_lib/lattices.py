@@ -7,18 +7,19 @@ and drawn together by perspective, but change only little from one to the next.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from course_lib.checks import Array
 
 #: How far a point may lie from where its row leads, by the length of the step.
 ASTRAY = 0.35
+#: How many times larger than its neighbour something may be.
+ALIKE = 2.0
 SIDES = ((0, 1), (1, 0), (0, -1), (-1, 0))
 
 Places = dict[tuple[int, int], int]
 
 
-def grid_of_loose_points(points: Array) -> Places:
+def grid_of_loose_points(points: Array, sizes: Array | None = None) -> Places:
     """Return which points form the largest grid.
 
     From a point in the middle and the steps to its neighbours, the grid grows over every place
@@ -28,6 +29,8 @@ def grid_of_loose_points(points: Array) -> Places:
     ----------
     points : ndarray, shape (N, 2)
         Points in px; some may not belong to the grid.
+    sizes : ndarray, shape (N,), optional
+        Of what is at the points; neighbours are similar.
 
     Returns
     -------
@@ -37,11 +40,12 @@ def grid_of_loose_points(points: Array) -> Places:
     best: Places = {}
     if len(points) < 4:
         return best
+    sizes = np.ones(len(points)) if sizes is None else sizes
     middle = np.linalg.norm(points - np.median(points, axis=0), axis=1)
     for seed in np.argsort(middle)[:12].tolist():
         steps = _first_steps(points, seed)
         if steps is not None:
-            grown = _grown(points, seed, *steps)
+            grown = _without_stragglers(_grown(points, sizes, seed, *steps))
             best = max(best, grown, key=len)
     low = [min((place[k] for place in best), default=0) for k in (0, 1)]
     return {(row - low[0], column - low[1]): point for (row, column), point in best.items()}
@@ -61,7 +65,7 @@ def _first_steps(points: Array, seed: int) -> tuple[Array, Array] | None:
     return None
 
 
-def _grown(points: Array, seed: int, along: Array, down: Array) -> Places:
+def _grown(points: Array, sizes: Array, seed: int, along: Array, down: Array) -> Places:
     """Return the grid that grows from a point with the steps to its neighbours."""
     places: Places = {(0, 0): seed}
     steps = {seed: {(0, 1): along, (1, 0): down}}
@@ -78,7 +82,8 @@ def _grown(points: Array, seed: int, along: Array, down: Array) -> Places:
             step = sign * steps[point][axis]
             away = np.linalg.norm(points - points[point] - step, axis=1)
             found = int(np.argmin(away))
-            if found in used or away[found] > ASTRAY * np.linalg.norm(step):
+            astray = away[found] > ASTRAY * np.linalg.norm(step)
+            if found in used or astray or not 1 / ALIKE < sizes[found] / sizes[point] < ALIKE:
                 continue
             places[new] = found
             used.add(found)
@@ -87,15 +92,19 @@ def _grown(points: Array, seed: int, along: Array, down: Array) -> Places:
     return places
 
 
-def full_grid(places: Places, points: Array) -> Array | None:
-    """Return the points of a grid without gaps in rows and columns, or None if there are gaps."""
-    if not places:
-        return None
-    rows, columns = (1 + max(place[k] for place in places) for k in (0, 1))
-    if len(places) != rows * columns:
-        return None
-    order = [places[row, column] for row in range(rows) for column in range(columns)]
-    return points[order].reshape(rows, columns, 2)
+def _without_stragglers(places: Places) -> Places:
+    """Return places without outer rows and columns of which less than half are taken."""
+    while places:
+        for axis in (0, 1):
+            lines = [place[axis] for place in places]
+            usual = np.median([lines.count(line) for line in set(lines)])
+            loose = [e for e in (min(lines), max(lines)) if lines.count(e) < usual / 2]
+            if loose:
+                places = {p: n for p, n in places.items() if p[axis] != loose[0]}
+                break
+        else:
+            return places
+    return places
 
 
 def turned(grid: Array, columns: int, rows: int) -> Array:
@@ -104,7 +113,7 @@ def turned(grid: Array, columns: int, rows: int) -> Array:
     Parameters
     ----------
     grid : ndarray, shape (rows, columns, …) or (columns, rows, …)
-        Points in px in the first two entries of the last axis.
+        Points in px in the first two entries of the last axis; NaN where there is none.
     columns, rows : int
         Of the board.
 
@@ -124,14 +133,15 @@ def turned(grid: Array, columns: int, rows: int) -> Array:
     fitting = [g for g in candidates if g.shape[:2] == (rows, columns) and not mirrored(g)]
     if not fitting:
         raise ValueError(f"the grid must have {columns} × {rows} points, got {grid.shape}")
-    return max(fitting, key=lambda g: float((g[:, -1, 0] - g[:, 0, 0]).sum()))
+    return max(fitting, key=lambda g: float(np.nansum(g[:, -1, 0] - g[:, 0, 0])))
 
 
 def mirrored(grid: Array) -> bool:
     """Return whether a grid is seen from behind: columns lead to the left of the rows."""
     along = np.diff(grid[:-1, :, :2], axis=1)
     down = np.diff(grid[:, :-1, :2], axis=0)
-    return bool((along[..., 0] * down[..., 1] - along[..., 1] * down[..., 0]).sum() < 0)
+    turn = along[..., 0] * down[..., 1] - along[..., 1] * down[..., 0]
+    return bool(np.nansum(turn) < 0)
 
 
 def next_row(grid: Array) -> Array:
@@ -147,8 +157,3 @@ def next_row(grid: Array) -> Array:
 def cell_middles(grid: Array) -> Array:
     """Return the middles between four neighbours, shape (rows - 1, columns - 1, 2)."""
     return np.asarray((grid[:-1, :-1] + grid[1:, :-1] + grid[:-1, 1:] + grid[1:, 1:]) / 4)
-
-
-def outline(grid: Array) -> NDArray[np.float64]:
-    """Return the corners of a grid, in order around, shape (4, 2)."""
-    return np.asarray(grid[[0, 0, -1, -1], [0, -1, -1, 0]])

@@ -25,6 +25,7 @@ MATHEMATICS = {
     "boards",
     "camera",
     "checks",
+    "circles",
     "corner_fit",
     "correction",
     "detector",

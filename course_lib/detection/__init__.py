@@ -7,7 +7,10 @@ from numpy.typing import ArrayLike
 from course_lib.boards import Board, Charuco, Checkerboard, DotGrid, SquareGrid
 from course_lib.corner_fit import refine_corners
 from course_lib.detection.checkerboards import detect_checkerboard
+from course_lib.detection.dots import detect_dots
+from course_lib.detection.markers import detect_charuco
 from course_lib.detection.result import Detection
+from course_lib.detection.squares import detect_squares
 
 __all__ = [
     "Board",
@@ -52,4 +55,10 @@ def detect_board(image: ArrayLike, board: Board) -> Detection:
     """
     if isinstance(board, Checkerboard):
         return detect_checkerboard(image, board)
+    if isinstance(board, DotGrid):
+        return detect_dots(image, board)
+    if isinstance(board, Charuco):
+        return detect_charuco(image, board)
+    if isinstance(board, SquareGrid):
+        return detect_squares(image, board)
     raise TypeError(f"board must be a Checkerboard, DotGrid, Charuco or SquareGrid, got {board!r}")

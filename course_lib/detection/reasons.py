@@ -38,8 +38,7 @@ def judged(grey: Picture, fit: CornerFit, grid: Array, board: Checkerboard) -> t
         )
     steps = [np.linalg.norm(np.diff(grid, axis=k), axis=2).ravel() for k in (0, 1)]
     square, blur = np.median(np.concatenate(steps)), np.median(fit.blur[fit.good])
-    most = max(BLUR_PIXELS, min(BLUR_OF_SQUARE * square, BLUR_OF_PICTURE * max(grey.shape)))
-    if not fit.good.any() or blur > most:
+    if not fit.good.any() or too_blurred(float(blur), float(square), grey.shape):
         return "blurred", (
             f"The board was found, but it is blurred over {2.5 * blur:.0f} px, where a square has "
             f"{square:.0f}.{rest} Hold the camera still, focus, and take it again."
@@ -47,6 +46,11 @@ def judged(grey: Picture, fit: CornerFit, grid: Array, board: Checkerboard) -> t
     if lost > 0.1 * len(fit.good):
         return "covered", f"The board was found, but something hides a part of it.{rest}"
     return "", f"All {board.name} found." if not lost else f"The board was found.{rest}"
+
+
+def too_blurred(blur: float, square: float, shape: tuple[int, ...]) -> bool:
+    """Return whether a blur is too wide for squares of so many px in a picture of this shape."""
+    return blur > max(BLUR_PIXELS, min(BLUR_OF_SQUARE * square, BLUR_OF_PICTURE * max(shape)))
 
 
 def _glare(grey: Picture, fit: CornerFit) -> int:
