@@ -5,6 +5,7 @@ from __future__ import annotations
 from course_lib import optics
 from course_lib.exercises.lenses import inputs
 from course_lib.exercises.lenses import misconceptions_sharpness as wrong
+from course_lib.exercises.lenses import misconceptions_slips as slips
 from course_lib.judging import Exercise, Explain, Misconception, Part, YesOrNo
 
 AIRY_DIAMETER = Exercise(
@@ -41,6 +42,10 @@ AIRY_DIAMETER = Exercise(
         Misconception(
             wrong.always_green,
             "Your light is always green. Which argument have you not used?",
+        ),
+        Misconception(
+            slips.airy_without_the_f_number,
+            "Your disk is equally large at every aperture. Which argument have you not used?",
         ),
         Misconception(
             wrong.always_green_in_micrometres,
@@ -90,6 +95,11 @@ IS_DIFFRACTION_LIMITED = Exercise(
             wrong.pitch_by_a_thousand,
             "You say yes to every camera. Wavelength and pitch come in one unit: which of them "
             "did you change?",
+        ),
+        Misconception(
+            slips.truth_in_quotation_marks,
+            "A word in quotation marks is a text, even if it reads True. What does the comparison "
+            "give by itself?",
         ),
     ],
 )

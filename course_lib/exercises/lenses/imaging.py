@@ -5,6 +5,7 @@ from __future__ import annotations
 from course_lib import optics
 from course_lib.exercises.lenses import inputs
 from course_lib.exercises.lenses import misconceptions_imaging as wrong
+from course_lib.exercises.lenses import misconceptions_slips as slips
 from course_lib.judging import Exercise, Misconception, Part
 
 IMAGE_DISTANCE = Exercise(
@@ -41,6 +42,12 @@ IMAGE_DISTANCE = Exercise(
             "What is infinity divided by infinity? Rewrite the formula so that 1 divided by Z "
             "stands in it.",
         ),
+        Misconception(
+            slips.image_bracket_lost,
+            "Python divides before it subtracts. Which difference of your formula stands below a "
+            "bar, and do brackets hold it?",
+            also=[slips.image_powers_bracket_lost, slips.image_sum_bracket_lost],
+        ),
     ],
 )
 
@@ -64,6 +71,7 @@ OBJECT_DISTANCE = Exercise(
         Misconception(
             wrong.virtual_image,
             "At life size your object touches the lens. Which sign has the thin-lens equation?",
+            also=[slips.virtual_image_turned],
         ),
         Misconception(
             wrong.object_to_sensor,
@@ -76,6 +84,10 @@ OBJECT_DISTANCE = Exercise(
         Misconception(
             wrong.bracket_forgotten,
             "Python multiplies before it adds. Which part of your sum does f reach?",
+        ),
+        Misconception(
+            slips.object_in_metres,
+            "A thousand times too small. In which unit does f come, and should the answer go?",
         ),
     ],
 )
@@ -153,6 +165,28 @@ LENS_SYSTEM = Exercise(
         Misconception(
             wrong.back_plane_from_the_first_lens,
             "Two numbers of three are right. From which lens does the task measure the back plane?",
+        ),
+        Misconception(
+            slips.power_for_focal_length,
+            "Your first number is tiny. Which unit has C, and which has a focal length?",
+            also=[slips.power_with_its_sign_turned],
+        ),
+        Misconception(
+            slips.planes_turned,
+            "Right distance, wrong side of the lens. What comes first in the fraction of the "
+            "text: the 1, or the entry of the matrix?",
+            also=[slips.front_plane_turned, slips.back_plane_turned],
+        ),
+        Misconception(
+            slips.planes_brackets_lost,
+            "Python divides before it adds and subtracts. Do brackets hold together what stands "
+            "above, and what below a bar?",
+            also=[slips.power_bracket_lost],
+        ),
+        Misconception(
+            slips.gap_added_to_the_power,
+            "A gap makes two collecting lenses weaker together. Does the third term of your C "
+            "do that?",
         ),
     ],
 )

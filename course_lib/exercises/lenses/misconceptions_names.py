@@ -22,6 +22,27 @@ def read(name: str, focal: str = FOCAL, stops: str = STOPS) -> Any:
     return {"focal_length": pairs[0], "f_number": pairs[1]}
 
 
+#: As the lesson counts: group 1 is the sign of the f-number, 3 a second number with its minus.
+COUNTED_FOCAL = r"([\d.]+)(-([\d.]+))?\s*mm"
+COUNTED_STOPS = r"(f/|F|f|1:)([\d.]+)(-([\d.]+))?"
+
+
+def search_both(name: str, stops: str = COUNTED_STOPS) -> Any:
+    """Return both matches, or refuse a name that lacks one, as the lesson asks."""
+    focal, stop = re.search(COUNTED_FOCAL, name), re.search(stops, name)
+    if focal is None or stop is None:
+        raise ValueError(name)
+    return focal, stop
+
+
+def pairs_of(focal: Any, stop: Any, second_focal: int, first: int, second: int) -> Any:
+    """Return what these parts of the two matches tell."""
+    return {
+        "focal_length": (float(focal[1]), float(focal[second_focal] or focal[1])),
+        "f_number": (float(stop[first]), float(stop[second] or stop[first])),
+    }
+
+
 def refuse_what_tells_nothing(name: str) -> None:
     if not (re.search(FOCAL, name) and re.search(STOPS, name)):
         raise ValueError(name)
@@ -82,3 +103,63 @@ def answers_anything(name):
 
 def search_may_find_nothing(name):
     return read(name)
+
+
+def first_of_two_numbers(name):
+    return pairs_of(*search_both(name), 3, 2, 2)
+
+
+def second_number_with_its_minus(name):
+    return pairs_of(*search_both(name), 3, 2, 3)
+
+
+def both_second_numbers_with_their_minus(name):
+    return pairs_of(*search_both(name), 2, 2, 3)
+
+
+def focal_length_with_its_minus(name):
+    return pairs_of(*search_both(name), 2, 2, 4)
+
+
+def sign_for_a_number(name):
+    return pairs_of(*search_both(name), 3, 1, 3)
+
+
+def sign_for_a_number_and_no_check(name):
+    focal, stop = re.search(COUNTED_FOCAL, name), re.search(COUNTED_STOPS, name)
+    return pairs_of(focal, stop, 3, 1, 3)
+
+
+def millimetres_behind_the_f_number(name):
+    focal, stop = re.search(COUNTED_FOCAL, name), re.search(COUNTED_STOPS + r"\s*mm", name)
+    return pairs_of(focal, stop, 3, 2, 4)
+
+
+def no_capital_letter(name):
+    return pairs_of(*search_both(name, r"(f/|f|1:)([\d.]+)(-([\d.]+))?"), 3, 2, 4)
+
+
+def one_way_of_writing_and_a_check(name):
+    return pairs_of(*search_both(name, r"(f/)([\d.]+)(-([\d.]+))?"), 3, 2, 4)
+
+
+def no_capital_letter_and_no_check(name):
+    return read(name, stops=r"(?:f/?|1:)([\d.]+)(?:-([\d.]+))?")
+
+
+def any_number(name):
+    return pairs_of(*search_both(name, r"()([\d.]+)(-([\d.]+))?"), 3, 2, 4)
+
+
+def no_capital_letter_and_half_a_check(name):
+    if re.search(COUNTED_FOCAL, name) is None:
+        raise ValueError(name)
+    return no_capital_letter_and_no_check(name)
+
+
+def second_number_taken_for_granted(name):
+    focal, stop = search_both(name)
+    return {
+        "focal_length": (float(focal[1]), float(focal[3])),
+        "f_number": (float(stop[2]), float(stop[4])),
+    }

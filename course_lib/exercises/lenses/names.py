@@ -26,6 +26,7 @@ PARSE_LENS_NAME = Exercise(
             wrong.first_numbers,
             "Some names hold other numbers too. What stands right behind a focal length, and what "
             "before an f-number?",
+            also=[wrong.any_number],
         ),
         Misconception(
             wrong.whole_numbers,
@@ -34,10 +35,29 @@ PARSE_LENS_NAME = Exercise(
         Misconception(
             wrong.one_way_of_writing,
             "Makers write the f-number in several ways. Which does your pattern not know?",
+            also=[
+                wrong.one_way_of_writing_and_a_check,
+                wrong.no_capital_letter,
+                wrong.no_capital_letter_and_no_check,
+                wrong.no_capital_letter_and_half_a_check,
+            ],
         ),
         Misconception(
             wrong.first_of_a_range,
             "Twist the zoom ring: the lens has two ends. Which of them have you read?",
+            also=[wrong.first_of_two_numbers],
+        ),
+        Misconception(
+            wrong.second_number_with_its_minus,
+            "A second number is negative. Which part of the match holds the minus, too, and which "
+            "the number alone?",
+            also=[wrong.both_second_numbers_with_their_minus, wrong.focal_length_with_its_minus],
+        ),
+        Misconception(
+            wrong.sign_for_a_number,
+            "No f-number is read. Which part of its match is the sign, such as f/, and which the "
+            "number? And does mm still end its pattern?",
+            also=[wrong.sign_for_a_number_and_no_check, wrong.millimetres_behind_the_f_number],
         ),
         Misconception(
             wrong.texts_for_numbers,
@@ -51,6 +71,7 @@ PARSE_LENS_NAME = Exercise(
             wrong.every_lens_a_zoom,
             "A prime lens has one focal length only. What is the pair then, and does your pattern "
             "find it?",
+            also=[wrong.second_number_taken_for_granted],
         ),
         Misconception(
             wrong.digits_after_the_point,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from course_lib import optics
 from course_lib.exercises.lenses import inputs
 from course_lib.exercises.lenses import misconceptions_sharpness as wrong
+from course_lib.exercises.lenses import misconceptions_slips as slips
 from course_lib.judging import Exercise, Misconception, Part
 
 HYPERFOCAL_DISTANCE = Exercise(
@@ -23,6 +24,13 @@ HYPERFOCAL_DISTANCE = Exercise(
         Misconception(
             wrong.focal_length_not_squared,
             "Which unit does your first term have? N has none.",
+            also=[slips.doubled_for_squared],
+        ),
+        Misconception(
+            slips.hyperfocal_sum_below,
+            "Which part of the box is a fraction, and which stands beside it? Do your brackets "
+            "say so?",
+            also=[slips.hyperfocal_sum_above],
         ),
         Misconception(
             wrong.radius_of_the_spot,
@@ -118,6 +126,26 @@ DEPTH_OF_FIELD = Exercise(
             "Nearly the exact formula: which of your focal lengths is still too many, if you "
             "start from the number a?",
         ),
+        Misconception(
+            slips.depth_bracket_lost,
+            "Python multiplies and divides before it adds. Do brackets hold together what the "
+            "formula has in brackets, or below a bar?",
+            also=[slips.near_bracket_lost, slips.both_brackets_lost],
+        ),
+        Misconception(
+            slips.one_choice_only,
+            "Beyond H your far limit is the focus distance itself. Your first choice only made "
+            "the division harmless: which second one is missing?",
+        ),
+        Misconception(
+            slips.choice_turned,
+            "Infinity stands where the far limit is finite. Is the number a below 1 or above it, "
+            "when the lens is focused before H?",
+        ),
+        Misconception(
+            slips.number_with_a_unit,
+            "The number a has no unit. Has yours one?",
+        ),
     ],
 )
 
@@ -176,6 +204,34 @@ APERTURE_FOR_DEPTH = Exercise(
             "Compare your focus distance with the near end. Is the lens focused inside the range "
             "at all?",
         ),
+        Misconception(
+            slips.no_number_for_infinity,
+            "The focus is right, also for infinity. What becomes of the last fraction of N there, "
+            "if you divide above and below by the far end first?",
+        ),
+        Misconception(
+            slips.focus_bracket_lost,
+            "Python multiplies and divides before it adds. Do brackets hold together what stands "
+            "below each bar?",
+            also=[
+                slips.focus_bracket_lost_for_infinity,
+                slips.focus_double_fraction_lost,
+                slips.number_bracket_lost,
+                slips.number_last_bracket_lost,
+            ],
+        ),
+        Misconception(
+            slips.spot_squared_too,
+            "Your f-number is far too large. What does your square reach: f alone, or c too?",
+        ),
+        Misconception(
+            slips.aperture_not_squared,
+            "An f-number has no unit. Which unit has yours?",
+        ),
+        Misconception(
+            slips.negative_aperture,
+            "Your f-number is negative. Which end of the range is farther away?",
+        ),
     ],
 )
 
@@ -216,6 +272,15 @@ CLOSEUP_DEPTH_OF_FIELD = Exercise(
             wrong.closeup_bracket_forgotten,
             "Python divides before it adds. What belongs above the fraction bar, and how does "
             "Python see it?",
+        ),
+        Misconception(
+            slips.closeup_one_taken_off,
+            "At life size your depth is zero. Which sign has the bracket of the box?",
+        ),
+        Misconception(
+            slips.closeup_in_micrometres,
+            "A factor of a thousand. In which unit does c come, and should the depth go?",
+            also=[slips.closeup_in_metres],
         ),
     ],
 )
