@@ -138,7 +138,7 @@ def test_misses_are_drawn_from_the_goal_to_the_needle():
     crosses = [line[0] for line in lines(figure, "object") if len(line) == 1]
     np.testing.assert_allclose(crosses, draw.GOALS[:, :2] + [30, -40])
     title = figure.axes[0].get_title(loc="left")
-    assert title == "both: table 5.00 mm, block 5.00 mm"
+    assert title == "both: table 5.00, block 5.00 mm"
     flat = draw.misses({"both": draw.GOALS[:6, :2] + [30, -40]}, draw.GOALS[:6, :2])
     assert flat.axes[0].get_title(loc="left") == "both: 50.0 mm"
 

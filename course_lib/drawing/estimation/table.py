@@ -132,9 +132,8 @@ def _how_far(miss: Floats, places: Floats) -> str:
     high = _are_high(places)
     groups = {"table": miss[~high], "block": miss[high]} if high.any() else {"": miss}
     sizes = {name: np.sqrt((m**2).sum(axis=1).mean()) for name, m in groups.items()}
-    return ", ".join(
-        f"{name} {size:.{1 if size >= 10 else 2}f} mm" for name, size in sizes.items()
-    ).strip()
+    words = [f"{n} {s:.{1 if s >= 10 else 2}f}".strip() for n, s in sizes.items()]
+    return ", ".join(words) + " mm"
 
 
 def _are_high(places: Floats) -> NDArray[np.bool_]:
