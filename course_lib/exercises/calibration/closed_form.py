@@ -99,8 +99,8 @@ INTRINSICS_FROM_HOMOGRAPHIES = Exercise(
     points=8,
     compare=Close(rtol=1e-5, atol=1e-3),
     parts={
-        "three views": Part(inputs.three_views, weight=5),
-        "six views, with skew": Part(inputs.many_views_with_skew, weight=3),
+        "three views": Part(inputs.three_views, cases=2, weight=5),
+        "six views, with skew": Part(inputs.many_views_with_skew, cases=2, weight=3),
     },
     forbidden=("course_lib.zhang.intrinsics_from_homographies",),
     misconceptions=[
@@ -138,9 +138,9 @@ POSE_FROM_HOMOGRAPHY = Exercise(
     plain.pose_from_homography,
     points=8,
     parts={
-        "an exact homography": Part(inputs.exact_homography, weight=3),
-        "with a negative factor": Part(inputs.negative_homography, weight=2),
-        "with noise": Part(inputs.noisy_homography, weight=3),
+        "an exact homography": Part(inputs.exact_homography, cases=2, weight=3),
+        "with a negative factor": Part(inputs.negative_homography, cases=2, weight=2),
+        "with noise": Part(inputs.noisy_homography, cases=2, weight=3),
     },
     forbidden=(
         "course_lib.zhang.pose_from_homography",

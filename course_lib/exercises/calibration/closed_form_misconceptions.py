@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
+from typing import Any
 
-from course_lib.calibration import homography_constraints
+import numpy as np
 
 # --- board_points -----------------------------------------------------------------------------
 
@@ -30,7 +30,7 @@ def squares_counted(columns, rows, square):
 
 
 def first_corner_at_one(columns, rows, square):
-    return (grid(columns, rows) + [1, 1, 0]) * square
+    return (grid(columns, rows) + np.array([1, 1, 0])) * square
 
 
 def origin_in_the_middle(columns, rows, square):
@@ -42,14 +42,14 @@ def without_z(columns, rows, square):
     return grid(columns, rows)[:, :2] * square
 
 
-def grid(columns, rows):
+def grid(columns: Any, rows: Any) -> Any:
     return np.array([(c, r, 0.0) for r in range(rows) for c in range(columns)])
 
 
 # --- homography_constraints -------------------------------------------------------------------
 
 
-def v(p, q):
+def v(p: Any, q: Any) -> Any:
     return np.array(
         [
             p[0] * q[0],
@@ -77,7 +77,7 @@ def half_of_the_mixed_products(H):
     return np.array([once(h1, h2), once(h1, h1) - once(h2, h2)])
 
 
-def once(p, q):
+def once(p: Any, q: Any) -> Any:
     return np.array([p[0] * q[0], p[0] * q[1], p[1] * q[1], p[0] * q[2], p[1] * q[2], p[2] * q[2]])
 
 
@@ -104,13 +104,16 @@ def second_and_third_column(H):
 # --- intrinsics_from_homographies -------------------------------------------------------------
 
 
-def null_vector(Hs):
-    V = np.vstack([homography_constraints(H) for H in Hs])
-    b = np.linalg.svd(V)[2][-1]
+def all_rows(Hs: Any) -> Any:
+    return np.concatenate([[v(h1, h2), v(h1, h1) - v(h2, h2)] for h1, h2, _ in Hs.swapaxes(1, 2)])
+
+
+def null_vector(Hs: Any) -> Any:
+    b = np.linalg.svd(all_rows(Hs))[2][-1]
     return b if b[0] > 0 else -b
 
 
-def matrix(b):
+def matrix(b: Any) -> Any:
     b11, b12, b22, b13, b23, b33 = b
     return np.array([[b11, b12, b13], [b12, b22, b23], [b13, b23, b33]])
 
@@ -146,12 +149,11 @@ def order_of_b_mixed_up(Hs):
 
 
 def largest_singular_value(Hs):
-    V = np.vstack([homography_constraints(H) for H in Hs])
-    b = np.linalg.svd(V)[2][0]
+    b = np.linalg.svd(all_rows(Hs))[2][0]
     return factor(matrix(b if b[0] > 0 else -b))
 
 
-def factor(B):
+def factor(B: Any) -> Any:
     K = np.linalg.inv(np.linalg.cholesky(B).T)
     return K / K[2, 2]
 
@@ -159,12 +161,12 @@ def factor(B):
 # --- pose_from_homography ---------------------------------------------------------------------
 
 
-def scaled(M):
+def scaled(M: Any) -> Any:
     M = M / np.mean([np.linalg.norm(M[:, 0]), np.linalg.norm(M[:, 1])])
     return -M if M[2, 2] < 0 else M
 
 
-def nearest_rotation(M):
+def nearest_rotation(M: Any) -> Any:
     U, _, Vt = np.linalg.svd(np.column_stack([M[:, 0], M[:, 1], np.cross(M[:, 0], M[:, 1])]))
     return U @ Vt
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from course_lib.exercises.calibration import inputs, plain
+from course_lib.exercises.calibration import inputs
+from course_lib.exercises.calibration import plain_refinement as plain
 from course_lib.exercises.calibration import refinement_misconceptions as wrong
 from course_lib.judging import Exercise, Explain, Misconception, Part, YesOrNo
 
@@ -95,10 +96,10 @@ EXPLAIN_SMALL_RMS = Explain(
     model_answer=(
         "The RMS says how well the camera explains the corners it was calibrated with. Boards that "
         "all face the camera say the same again and again: a longer focal length and a larger "
-        "distance give nearly the same pictures, so f can be far off while the RMS stays small. And "
-        "where no corner was, in the corners of the picture, the distortion is only extrapolated. "
-        "One sees it in the standard deviations, in the coverage of the picture, and in the error on "
-        "pictures that were kept out. Better: ten pictures with the board tilted by 20 to 45 degrees "
-        "in different directions, near and far, out to the corners of the picture."
+        "distance give nearly the same pictures, so f can be far off while the RMS stays small. "
+        "And where no corner was, as in the corners of the picture, the distortion is only "
+        "extrapolated. One sees it in the standard deviations, in the coverage of the picture, and "
+        "in the error on pictures that were kept out. Better: ten pictures with the board tilted "
+        "by 20 to 45 degrees in different directions, near and far, out to the corners."
     ),
 )

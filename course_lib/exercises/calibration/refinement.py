@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from course_lib.exercises.calibration import inputs, plain
+from course_lib.exercises.calibration import inputs
+from course_lib.exercises.calibration import plain_refinement as plain
 from course_lib.exercises.calibration import refinement_misconceptions as wrong
 from course_lib.judging import Exercise, Misconception, Part
 

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 # --- initial_distortion -----------------------------------------------------------------------
 
 
-def design(ideal, K, first=2, second=4, centre=None, focal=None):
+def design(
+    ideal: Any, K: Any, first: Any = 2, second: Any = 4, centre: Any = None, focal: Any = None
+) -> Any:
     """Return the two columns of the equations, with powers of r to choose."""
     centre = K[:2, 2] if centre is None else centre
     focal = np.array([K[0, 0], K[1, 1]]) if focal is None else focal
@@ -16,7 +20,7 @@ def design(ideal, K, first=2, second=4, centre=None, focal=None):
     return np.stack([offset * r**first, offset * r**second], axis=-1)
 
 
-def solved(A, b):
+def solved(A: Any, b: Any) -> Any:
     return np.linalg.lstsq(A.reshape(-1, 2), b.ravel(), rcond=None)[0]
 
 
@@ -60,13 +64,13 @@ def k1_only(ideal, observed, K):
 # --- reprojection_residuals -------------------------------------------------------------------
 
 
-def pixels_of(points, K, R, t, k):
+def pixels_of(points: Any, K: Any, R: Any, t: Any, k: Any) -> Any:
     """Return the pixels, rightly."""
     X = points @ R.T + t
     return bent(X[:, :2] / X[:, 2:], k) @ K[:2, :2].T + K[:2, 2]
 
 
-def bent(x, k):
+def bent(x: Any, k: Any) -> Any:
     r2 = (x**2).sum(axis=1, keepdims=True)
     return x * (1 + k[0] * r2 + k[1] * r2**2)
 
@@ -149,11 +153,11 @@ def not_divided(residuals):
 # --- refine_calibration -----------------------------------------------------------------------
 
 
-def step_with(J, residuals, added):
+def step_with(J: Any, residuals: Any, added: Any) -> Any:
     return np.linalg.solve(J.T @ J + added, -J.T @ residuals)
 
 
-def marquardt(J, damping):
+def marquardt(J: Any, damping: Any) -> Any:
     return damping * np.diag(np.diag(J.T @ J))
 
 
@@ -186,14 +190,10 @@ def diagonal_only(parameters, residuals, J, damping):
     return parameters + np.linalg.solve((1 + damping) * N, -J.T @ residuals)
 
 
-def diagonal_of_J(parameters, residuals, J, damping):
-    return parameters + step_with(J, residuals, damping * np.diag(np.diag(J)))
-
-
 # --- reject_views -----------------------------------------------------------------------------
 
 
-def view_rms(residuals):
+def view_rms(residuals: Any) -> Any:
     return np.sqrt((residuals**2).sum(axis=2).mean(axis=1))
 
 
@@ -229,7 +229,7 @@ def above_the_median(residuals, limit):
 # --- parameter_covariance ---------------------------------------------------------------------
 
 
-def variance_with(J, residuals, freedom):
+def variance_with(J: Any, residuals: Any, freedom: Any) -> Any:
     return residuals @ residuals / freedom * np.linalg.inv(J.T @ J)
 
 

@@ -91,7 +91,7 @@ def reject_views(residuals, limit):
 
 
 def parameter_covariance(J, residuals):
-    Q, R = np.linalg.qr(J)
+    R = np.linalg.qr(J)[1]
     spread = np.linalg.norm(residuals) ** 2 / (len(residuals) - len(R))
     inverse = np.linalg.solve(R, np.eye(len(R)))
     return spread * inverse @ inverse.T
