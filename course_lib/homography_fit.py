@@ -115,7 +115,9 @@ def fit_homographies(points: ArrayLike, targets: ArrayLike) -> Array:
     if (sizes[:, 1] <= AMBIGUOUS * sizes[:, -1]).any():
         raise DegenerateConfigurationError(TOO_FEW)
     check_plane_kept(H)
-    return with_usual_scale(np.linalg.inv(T_targets) @ _refined(H, p, q) @ T_points)
+    H = _refined(H, p, q)
+    check_plane_kept(H)
+    return with_usual_scale(np.linalg.inv(T_targets) @ H @ T_points)
 
 
 def refine_homography(H: ArrayLike, points: ArrayLike, targets: ArrayLike) -> Array:
@@ -148,14 +150,17 @@ def refine_homography(H: ArrayLike, points: ArrayLike, targets: ArrayLike) -> Ar
     points, targets = check_pairs(points, targets, (2, 2), ("points", "targets"), least=4)
     p, T_points = _normalised(points, "points")
     q, T_targets = _normalised(targets, "targets")
-    start = T_targets @ H @ np.linalg.inv(T_points)
-    refined = _refined((start / np.linalg.norm(start))[None], p, q[None])[0]
-    return with_usual_scale(np.linalg.inv(T_targets) @ refined @ T_points)
+    start = (T_targets @ H @ np.linalg.inv(T_points))[None]
+    start = start / (np.linalg.norm(start) or 1)
+    check_plane_kept(start)
+    refined = _refined(start, p, q[None])
+    check_plane_kept(refined)
+    return with_usual_scale(np.linalg.inv(T_targets) @ refined[0] @ T_points)
 
 
 def check_plane_kept(H: Array) -> None:
     """Raise if homographies of normalised points, of length 1, squeeze the plane into a line."""
-    if (np.abs(np.linalg.det(H)) <= SINGULAR).any():
+    if not (np.abs(np.linalg.det(H)) > SINGULAR).all():
         raise DegenerateConfigurationError(TOO_FEW)
 
 
@@ -174,10 +179,12 @@ class _Linear(NamedTuple):
     gradient: Array  # Jᵀ residuals, (B, 9)
 
 
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")  # images may be at infinity
 def _refined(H: Array, p: Array, q: Array) -> Array:
     """Return homographies of length 1, (B, 3, 3), at the minimum: damped Gauss–Newton for all.
 
-    Points and targets are homogeneous, in columns: shape (..., 3, N).
+    Points and targets are homogeneous, in columns: shape (..., 3, N). An image at infinity makes
+    the sum of squares infinite or NaN, which is never better.
     """
     monomials, damping = _monomials(p), np.zeros(len(H))
     now = _linearised(H, p, q, monomials)
@@ -188,7 +195,7 @@ def _refined(H: Array, p: Array, q: Array) -> Array:
         if ((promise <= LAST_GAIN * now.cost) | (now.cost < ROUNDING)).all():
             return trial
         new = _linearised(trial, p, q, monomials)
-        better = new.cost <= now.cost  # NaN compares as False
+        better = new.cost <= now.cost
         H = _choose(better, trial, H)
         now = _Linear(*(_choose(better, *both) for both in zip(new, now, strict=True)))
         damping = np.where(better, damping / 10, np.maximum(10 * damping, 1e-3))
@@ -201,7 +208,10 @@ def _step(H: Array, linear: _Linear, damping: Array) -> tuple[Array, Array]:
     # Along h itself only the scale changes: h hᵀ makes the rank full.
     N = linear.normal + h @ h.swapaxes(1, 2)
     N[:, range(9), range(9)] *= 1 + damping[:, None]
-    step = np.linalg.solve(N, linear.gradient[..., None])[..., 0]
+    try:
+        step = np.linalg.solve(N, linear.gradient[..., None])[..., 0]
+    except np.linalg.LinAlgError as error:
+        raise DegenerateConfigurationError(TOO_FEW) from error
     return np.asarray(step.reshape(-1, 3, 3)), (linear.gradient * step).sum(axis=1)
 
 

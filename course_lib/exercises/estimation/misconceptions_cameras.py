@@ -97,10 +97,14 @@ def _right(P: Any) -> Any:
     return K / K[2, 2], R, centre
 
 
-def signs_as_they_come(P):
+def _signs_left(P: Any) -> Any:
     Q, U = np.linalg.qr(np.linalg.inv(P[:, :3]))
     K = np.linalg.inv(U)
     return K / K[2, 2], Q.T, _parts(P)[2]
+
+
+def signs_as_they_come(P):
+    return _signs_left(P)
 
 
 def signs_as_they_come_from_flipping(P):
@@ -110,7 +114,7 @@ def signs_as_they_come_from_flipping(P):
 
 
 def signs_as_they_come_after_the_mirror(P):
-    return signs_as_they_come(P * np.sign(np.linalg.det(P[:, :3])))
+    return _signs_left(P * np.sign(np.linalg.det(P[:, :3])))
 
 
 def signs_of_K_only(P):
