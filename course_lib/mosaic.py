@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.ndimage import convolve
 
 from course_lib.checks import Array, check_numbers
 
@@ -68,7 +67,7 @@ def bayer_mosaic(image: ArrayLike, pattern: str = "RGGB") -> NDArray[np.generic]
     Returns
     -------
     ndarray, shape (rows, columns)
-        One number a pixel, of the type of `image`: the colour of its filter.
+        One number a pixel: the colour of its filter.
 
     Raises
     ------
@@ -129,6 +128,8 @@ def demosaic_bilinear(mosaic: ArrayLike) -> Array:
     >>> demosaic_bilinear(np.array([[10, 2, 10, 2], [4, 7, 4, 7]]))[0, 1]
     array([10.,  2.,  7.])
     """
+    from scipy.ndimage import convolve
+
     mosaic = check_numbers(mosaic, "mosaic")
     seen = bayer_masks(mosaic.shape).astype(np.float64)
     green = np.array([[0, 1, 0], [1, 4, 1], [0, 1, 0]]) / 4

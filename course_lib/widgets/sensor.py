@@ -33,7 +33,9 @@ def exposure_explorer() -> Explorer:
     return Explorer(
         "Exposure: time, aperture, ISO, light and motion",
         [
-            Slider("t", "Exposure time", "t", "ms", 0.1, 50, 10, steps=40, landmarks=times),
+            Slider(
+                "t", "Exposure time", "t", "ms", 0.1, 50, 10, steps=40, landmarks=times, digits=3
+            ),
             Slider("N", "f-number", "N", "", 1.4, 22, 4, steps=2, landmarks=F_NUMBERS),
             Slider("iso", "ISO", "", "", 100, 6400, 100, steps=2, landmarks=SPEEDS),
             Slider("lux", "Light", "E", "lx", 200, 50e3, 500, steps=2, landmarks=LIGHTS),
@@ -84,7 +86,7 @@ def structured_light_explorer() -> Explorer:
             Slider("height", "Its height", "", "mm", 0, 8, 5, step=0.5, digits=1),
             Slider("angle_deg", "Light from the vertical", "θ", "°", 5, 70, 40, step=1),
             Choice("pattern", "Pattern", (ONE, MANY), MANY),
-            Slider("place", "Place of the stripe", "", "mm", -15, 15, 0, step=0.5, digits=1),
+            Slider("place", "Place of the stripe", "", "mm", -15, 15, 5, step=0.5, digits=1),
         ],
         structured_light_frame,
     )

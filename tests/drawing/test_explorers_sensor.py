@@ -179,8 +179,28 @@ def test_the_stripe_is_seen_where_the_line_of_the_shift_ends():
 
 def test_light_on_an_upright_side_is_not_seen():
     frame = STRIPES("block", 8, 65, ONE, 5)
-    assert next(r.value for r in frame.readouts if r.label == "Shift of the stripe") == "not seen"
+    shift = next(r for r in frame.readouts if r.label == "Shift of the stripe")
+    assert (shift.value, shift.unit) == ("not seen", "")
     assert "not seen" in frame.pictures[0].alt
+
+
+@pytest.mark.parametrize("place", np.arange(-2, 11, 0.5))
+def test_light_on_a_slope_is_seen_everywhere(place):
+    for shape in ("ramp", "dome"):
+        frame = STRIPES(shape, 8, 65, ONE, place)
+        found, truth = (
+            value(frame, name) for name in ("Height from the shift", "True height there")
+        )
+        assert found == pytest.approx(truth, abs=0.06)
+
+
+def test_light_that_is_not_seen_ends_on_the_upright_side():
+    side = STRIPES("block", 8, 65, ONE, 5).pictures[1]
+    ray = next(line for line in side.lines if line.role == "ray")
+    u, v = np.asarray(ray.points)[-1]
+    left = np.flatnonzero(structured_light._heights("block", 8)[150])[0] * 0.1 - 19.95
+    assert u == pytest.approx(200 + 9.6 * left, abs=1)
+    assert 150 - 9.6 * 8 < v < 150
 
 
 def test_beside_a_high_block_stripes_are_missing():

@@ -130,6 +130,13 @@ def test_the_students_numbers_are_drawn_where_they_belong():
     assert np.ptp(drawn[:, 0]) == pytest.approx(50)
 
 
+@pytest.mark.parametrize(("too_much", "factor"), [(0, 1), (1, 1 / 2), (-3, 8)])
+def test_an_exposure_value_is_drawn_where_it_lies(too_much, factor):
+    values = sensor.exposure_value(np.array(draw.STOPS), 1 / 125) + too_much
+    (dots,) = lines(draw.exposure_chart(values), "second")
+    np.testing.assert_allclose(dots[:, 1], factor / 125)
+
+
 def test_the_pairs_lie_on_a_line_with_the_slope_of_the_gain():
     figure = draw.photon_transfer(PAIRS, MYSTERY.white)
     points = next(np.asarray(line.get_xydata()) for line in figure.axes[0].lines)
@@ -185,7 +192,7 @@ def test_the_sampled_wave_and_its_alias_share_their_samples():
 
 
 def test_only_the_hue_finds_the_brass():
-    hue = images(draw.colour_spaces(draw.dimmed_belt()))[4]
+    hue = images(draw.colour_spaces(draw.dimmed_belt()))[5]
     coloured = np.ptp(hue, axis=2) > 0.3
     nuts = coloured.sum() * 0.04  # mm²
     corner, hole = 8.0, 4.0

@@ -74,7 +74,7 @@ def exposure_frame(
         f"with a signal-to-noise ratio of {snr:.0f}; {clipped:.0%} of the pixels are clipped."
     )
     image = _on_screen(numbers, sensor, factor)
-    photograph = Picture("What the camera writes", words, SIZE, image, pixels=True)
+    photograph = Picture("On the screen", words, SIZE, image, pixels=True)
     readouts = (
         Readout("Exposure value", "EV", f"{float(exposure_value(N, seconds, iso)):.1f}"),
         Readout("Photons from the label", "", f"{PAPER * white:.0f}", "a pixel"),
@@ -177,7 +177,7 @@ def _histogram(numbers: NDArray[np.unsignedinteger], clipped: float) -> Picture:
         labels.append(Label("clipped", (246.0, 16.0), "object", "end"))
     peak = 64 * int(counts.argmax())
     return Picture(
-        "Histogram",
+        "Histogram of what the camera wrote",
         f"Histogram of the numbers from 0 to 4095; most pixels are near {peak}, and "
         f"{clipped:.1%} are clipped.",
         SIDE_SIZE,

@@ -69,11 +69,12 @@ def structured_light_frame(
 
 def _readouts(shift: float, found: float, truth: float, angle: float) -> tuple[Readout, ...]:
     """Return the numbers of the stripe: its shift in px, heights in mm."""
+    px, mm = ("px", "mm") if np.isfinite(shift) else ("", "")
     return (
-        Readout("Shift of the stripe", "s", _number(abs(shift), 1), "px"),
-        Readout("The same on the table", "", _number(abs(shift) * PIXEL, 2), "mm"),
-        Readout("Height from the shift", "h", _number(found, 2), "mm"),
-        Readout("True height there", "", _number(truth, 2), "mm"),
+        Readout("Shift of the stripe", "s", _number(abs(shift), 1), px),
+        Readout("The same on the table", "", _number(abs(shift) * PIXEL, 2), mm),
+        Readout("Height from the shift", "h", _number(found, 2), mm),
+        Readout("True height there", "", _number(truth, 2), mm),
         Readout("One pixel of shift means", "", f"{float(stripe_height(PIXEL, angle)):.3f}", "mm"),
     )
 
@@ -117,24 +118,20 @@ def _stripe_in_row(row: Floats, angle: float, place: float) -> tuple[float, floa
     """
     from data_generators.relief import on_the_table
 
-    where, lit = on_the_table(row[None], angle, PIXEL)
-    columns = np.arange(len(row))
-    distance = np.where(lit[0], np.abs(where[0] - place), np.inf)
-    nearest = int(distance.argmin())
-    if distance[nearest] > 0.75 * PIXEL:
+    where, lit = (found[0] for found in on_the_table(row[None], angle, PIXEL))
+    upright = np.abs(np.diff(row)) > 0.25 * row.max()
+    between = (where[:-1] - place) * (where[1:] - place) <= 0
+    steps = np.flatnonzero(lit[:-1] & lit[1:] & between & ~upright)
+    nearest = int(np.where(lit, np.abs(where - place), np.inf).argmin())
+    if steps.size:
+        k = int(steps[0])
+        seen = k + (place - where[k]) / (where[k + 1] - where[k])
+    elif abs(where[nearest] - place) <= 0.75 * PIXEL:
+        seen = nearest
+    else:
         return np.nan, np.nan
-    seen = nearest + (place - where[0, nearest]) / PIXEL * _slope(where[0], nearest)
-    zero = place / PIXEL + (len(columns) - 1) / 2
+    zero = place / PIXEL + (len(row) - 1) / 2
     return float(seen), float(zero - seen)
-
-
-def _slope(where: Floats, k: int) -> float:
-    """Return how many columns one pixel of the table takes at column k."""
-    if 0 < k < len(where) - 1:
-        rise = (where[k + 1] - where[k - 1]) / (2 * PIXEL)
-        if 0.2 < rise < 5:
-            return float(1 / rise)
-    return 1.0
 
 
 def _marks(seen: float, place: float) -> tuple[Line, ...]:
@@ -160,14 +157,16 @@ def _side(row: Floats, angle: float, place: float, seen: float, angle_deg: float
         ),
         Line(_on_side([[place, 0], [place - 14 * np.tan(angle), 14]]), "guide", 1.0, dashed=True),
     ]
-    labels = [Label("from the side", (8, 14)), Label("light", _spot(place, angle), "ray", "end")]
+    labels = [Label("light", _spot(place, angle), "ray", "end")]
     if np.isfinite(seen):
         at = (seen - (len(row) - 1) / 2) * PIXEL
         lines += _triangle(at, float(np.interp(seen, np.arange(len(row)), row)), angle, place)
         u, v = _on_side([[at, 12.5]])[0]
         labels.append(Label("to the camera", (float(u) + 6, float(v)), "camera"))
+    else:
+        lines.append(Line(_on_side(_stopped(row, angle, place)), "ray", 2.5))
     return Picture(
-        "The middle row, cut",
+        "From the side: the middle row, cut",
         f"Light falls from the left, {angle_deg:g}° from the vertical; the camera is above.",
         SIDE_SIZE,
         lines=tuple(lines),
@@ -183,6 +182,15 @@ def _triangle(x: float, height: float, angle: float, place: float) -> list[Line]
         Line(_on_side([[x, 0], [place, 0]]), "camera", 4.0),
         Line(_on_side([[x, 0], [x, height]]), "object", 3.0),
     ]
+
+
+def _stopped(row: Floats, angle: float, place: float) -> Floats:
+    """Return the light of a place on the table, from above to the upright side that stops it."""
+    z = np.linspace(13, 0, 651)
+    x = place - z * np.tan(angle)
+    surface = np.interp(x, (np.arange(len(row)) - (len(row) - 1) / 2) * PIXEL, row)
+    k = int((surface >= z).argmax())
+    return np.array([[x[0], z[0]], [x[k], z[k]]])
 
 
 def _spot(place: float, angle: float) -> tuple[float, float]:

@@ -153,7 +153,7 @@ def light_to_number(
         ("electrons", f"{electrons:.0f}", f"× {quantum_efficiency:g}\nshot, dark noise", GREEN),
         ("full well", f"{electrons:.0f}", "no more\nfit in", GREEN),
         ("volts", f"{electrons * VOLTS:.3f}", "on a capacitor,\nread noise", BLUE),
-        ("amplifier", f"{number:.1f}", f"× {gain:g} + {offset:g}", BLUE),
+        ("amplifier", f"{number:.1f}", f"{gain:g} DN an electron,\n+ {offset:g} DN", BLUE),
         ("a number", f"{min(np.rint(number), top):.0f}", f"rounded,\nat most {top}", RED),
     )
     fig, ax = panels(1, 1, (FULL_WIDTH, 1.9))

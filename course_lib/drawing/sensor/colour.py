@@ -230,17 +230,34 @@ def colour_spaces(light: ArrayLike) -> Figure:
     rgb = shown(light)
     hsv = hsv_from_rgb(rgb)
     fig, axes = panels(2, 4, (FULL_WIDTH, 3.2))
-    picture(axes[0, 0], rgb, "picture")
+    picture(axes[0, 0], rgb, "picture, dim on the right")
     for ax, channel, name in zip(axes[0, 1:], np.moveaxis(rgb, 2, 0), "RGB", strict=True):
         picture(ax, channel, name)
-    axes[1, 0].axis("off")
-    axes[1, 0].set(xlim=(0, 1), ylim=(0, 1))
-    write(axes[1, 0], (0.5, 0.5), "the light falls off\nto the right")
-    pure = rgb_from_hsv(np.stack([hsv[..., 0], 0 * hsv[..., 0] + 0.9, 0 * hsv[..., 0] + 0.9], -1))
-    picture(axes[1, 1], np.where(hsv[..., 1:2] < 0.2, 0.85, pure), "hue")
+    _scales(axes[1, 0])
+    picture(axes[1, 1], np.where(hsv[..., 1:2] < 0.2, 0.85, _pure(hsv[..., 0])), "hue")
     picture(axes[1, 2], hsv[..., 1], "saturation")
     picture(axes[1, 3], hsv[..., 2], "value")
     return fig
+
+
+def _pure(hue: Floats) -> Floats:
+    """Return the colours of hues, strong and bright."""
+    return rgb_from_hsv(np.stack([hue, np.full_like(hue, 0.9), np.full_like(hue, 0.9)], axis=-1))
+
+
+def _scales(ax: Axes) -> None:
+    """Draw what the colours of the hue and the greys of saturation and value stand for."""
+    along = np.linspace(0, 1, 181)
+    hues = _pure(along[None])
+    greys = np.repeat(along[None, :, None], 3, axis=2)
+    for image, low, high, name in ((hues, 0.62, 0.82, "hue"), (greys, 0.05, 0.25, "the others")):
+        ax.imshow(image, extent=(0.06, 0.94, low, high), aspect="auto")
+        ends = ("0°", "360°") if name == "hue" else ("0", "1")
+        ax.text(0.06, high + 0.04, ends[0], fontsize=8)
+        ax.text(0.5, high + 0.04, name, ha="center", fontsize=8)
+        ax.text(0.94, high + 0.04, ends[1], ha="right", fontsize=8)
+    ax.set(xlim=(0, 1), ylim=(0, 1))
+    ax.axis("off")
 
 
 def dimmed_belt() -> Floats:

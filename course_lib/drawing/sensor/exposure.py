@@ -28,6 +28,8 @@ SCENES = (
     (6, "living room"),
     (3, "street at night"),
 )
+#: Exposure times that the chart shows, s.
+TIMES = (2e-5, 60.0)
 #: Full stops of the f-number.
 STOPS = (1.0, 1.4, 2.0, 2.8, 4.0, 5.6, 8.0, 11.0, 16.0, 22.0)
 
@@ -111,7 +113,8 @@ def apertures_to_scale(numbers: Sequence[float] = STOPS[3:9]) -> Figure:
 
 @figure(
     "Exposure time against f-number, both logarithmic: rising lines of equal exposure value, "
-    "from a street at night to full sun, and a row of circles at 1/125 s."
+    "from a street at night to full sun, and a row of circles at 1/125 s. With an answer, dots "
+    "where its exposure values lie: inside the circles, if it is right."
 )
 def exposure_chart(yours: ArrayLike | None = None) -> Figure:
     """Show which pairs of exposure time and f-number suit scenes of different brightness.
@@ -124,7 +127,8 @@ def exposure_chart(yours: ArrayLike | None = None) -> Figure:
     Returns
     -------
     Figure
-        Lines of equal exposure value at ISO 100; the student's values at the full stops.
+        Lines of equal exposure value at ISO 100; the student's values at the full stops, each at
+        the exposure time that belongs to it, or at the edge of the chart.
     """
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.8))
     N = np.geomspace(1, 22, 60)
@@ -135,9 +139,9 @@ def exposure_chart(yours: ArrayLike | None = None) -> Figure:
         ax.text(left, 1.35 * left**2 / 2.0**value, f"EV {value}: {name}", fontsize=9, rotation=13)
     stops = np.array(STOPS)
     ax.plot(stops, np.full(10, 1 / 125), "o", mfc="none", mec=BLUE, ms=11, label="1/125 s")
-    _your_values(ax, stops, same_shape(yours, exposure_value(stops, 1 / 125)))
     ax.set(xscale="log", yscale="log", xlabel="f-number (no unit)", ylabel="exposure time (s)")
-    ax.set(xlim=(0.88, 24.5), ylim=(2e-5, 60))
+    ax.set(xlim=(0.88, 24.5), ylim=TIMES)
+    _your_values(ax, stops, same_shape(yours, exposure_value(stops, 1 / 125)))
     ax.set_xticks(stops, [f"{s:g}" for s in stops])
     ax.set_yticks([1e-4, 1e-2, 1], ["1/10000", "1/100", "1"])
     ax.minorticks_off()
@@ -146,11 +150,13 @@ def exposure_chart(yours: ArrayLike | None = None) -> Figure:
 
 
 def _your_values(ax: Axes, stops: Floats, values: Floats | None) -> None:
-    """Write a student's exposure values beside the points that they belong to."""
+    """Put a dot where each of a student's exposure values lies, and write the value below it."""
     if values is None or not np.isfinite(values).all():
         return
-    ax.plot(stops, np.full(10, 1 / 125), "o", color=ROLES["second"], ms=6, label="your EV")
-    for N, value in zip(stops, values, strict=True):
+    # EV = log2(N² / t), solved for t; what lies beyond the chart is put at its edge.
+    times = np.clip(stops**2 / 2.0 ** np.clip(values, -60, 60), 2 * TIMES[0], TIMES[1] / 2)
+    ax.plot(stops, times, "o", color=ROLES["second"], ms=6, label="your EV")
+    for N, t, value in zip(stops, times, values, strict=True):
         paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.8}
         number = f"{value:.1f}"
-        ax.text(N, 1 / 125 * 0.5, number, ha="center", va="top", fontsize=8, bbox=paper)
+        ax.text(N, t * 0.5, number, ha="center", va="top", fontsize=8, bbox=paper)

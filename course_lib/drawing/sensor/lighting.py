@@ -187,8 +187,8 @@ def lamp_drift(hours: float = 400.0) -> Figure:
     patch = 220 * lamp * (1 + 0.004 * rng.standard_normal(time.size))
     fig, ax = panels(1, 1, (FULL_WIDTH, 2.7))
     ax.plot(time, part, color=GREY, lw=1.2, label="part, as measured")
-    ax.plot(time, part * patch[0] / patch, color=BLUE, lw=1.2, label="part, divided by the patch")
-    ax.plot(time, patch, color=ORANGE, lw=1.2, label="white patch beside it")
+    ax.plot(time, 220 * part / patch, color=BLUE, lw=1.2, label="part / patch × 220")
+    ax.plot(time, patch, color=ORANGE, lw=1.2, label="white patch, 220 when new")
     ax.set(xlabel="hours of use (h)", ylabel="grey value (DN)", ylim=(120, 250), xlim=(0, hours))
     ax.legend(loc="upper right", ncols=3, fontsize=9)
     return fig

@@ -38,7 +38,9 @@ def computed_raw() -> NDArray[np.uint16]:
     camera = upright_camera((0.5, -3.5, 1.65), 28, (36, 24))
     size = (768, 512)
     K = camera.K * np.array([[1.6], [1.6], [1]])
-    light = srgb_decode(renderer().picture(Camera(K, camera.R, camera.t, size)) / 255)
+    # The street's colours look natural as they are without encoding; so they are codes for light.
+    street = srgb_decode(renderer().picture(Camera(K, camera.R, camera.t, size)) / 255)
+    light = srgb_decode(street)
     sensor = SensorModel(full_well=40_000, gain=0.373, offset=600, bits=14)
     filtered = light / np.array([1.949, 1.0, 1.344])
     photons = bayer_mosaic(filtered).astype(float) * 40_000 / sensor.quantum_efficiency

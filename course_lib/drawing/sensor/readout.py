@@ -145,8 +145,8 @@ def _read(start: NDArray[np.float64], exposure: float, delay: float) -> NDArray[
 
 
 @figure(
-    "A photograph of a round clock, smeared sideways, and the grey values along two cuts: "
-    "ramps along the motion, steep edges across it."
+    "A blurred photograph of a round clock, and its grey values along two cuts: long ramps in "
+    "the horizontal one, steep edges in the vertical one."
 )
 def clock_blur(picture: ArrayLike, row: int = 150, column: int = 212) -> Figure:
     """Show a real photograph that was blurred by motion, and how long the blur is.
@@ -172,8 +172,8 @@ def clock_blur(picture: ArrayLike, row: int = 150, column: int = 212) -> Figure:
     across = grey[row - 2 : row + 3].mean(axis=0)
     down = grey[:, column - 2 : column + 3].mean(axis=1)
     x = np.arange(grey.shape[1]) - column
-    ax.plot(x, across, color=ORANGE, label="along the motion")
-    ax.plot(np.arange(grey.shape[0]) - row, down, color=BLUE, lw=1.5, label="across it")
+    ax.plot(x, across, color=ORANGE, label="horizontal cut")
+    ax.plot(np.arange(grey.shape[0]) - row, down, color=BLUE, lw=1.5, label="vertical cut")
     ax.set(xlabel="pixels from the middle (px)", ylabel="grey value (DN)", xlim=(-110, 110))
     ax.legend(loc="lower center", fontsize=8)
     return fig
