@@ -1,0 +1,167 @@
+"""Boards to print: vector pages of exact size, with a bar to measure the print by."""
+
+from __future__ import annotations
+
+from pathlib import Path as FilePath
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from course_lib.boards import Board, Charuco, Checkerboard, DotGrid, SquareGrid
+from course_lib.checks import Array
+from data_generators.markers import charuco_markers
+
+if TYPE_CHECKING:
+    from matplotlib.path import Path
+
+#: Width and height of pages held sideways, mm.
+PAGES = {
+    "A4": (297.0, 210.0),
+    "A3": (420.0, 297.0),
+    "A2": (594.0, 420.0),
+    "A1": (841.0, 594.0),
+    "letter": (279.4, 215.9),
+}
+MARGIN, FOOT = 8.0, 16.0  # mm: what printers leave white, and the line below the board
+MM_PER_INCH = 25.4
+
+
+def save_board(path: str | FilePath, board: Board, page: str = "A4") -> FilePath:
+    """Write a board as a PDF page.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file; it is overwritten.
+    board : Checkerboard, DotGrid, Charuco or SquareGrid
+        The board, its lengths in mm.
+    page : str
+        ``"A4"``, ``"A3"``, ``"A2"``, ``"A1"`` or ``"letter"``, held sideways.
+
+    Returns
+    -------
+    Path
+        The file. All of it is lines and areas; the same board gives the same file.
+
+    Raises
+    ------
+    ValueError
+        If there is no such page, or the board does not fit; the message says what would.
+    OSError
+        If the file cannot be written.
+    """
+    import matplotlib as mpl
+    from matplotlib.figure import Figure
+    from matplotlib.patches import PathPatch
+
+    width, height = _page_size(page)
+    board_size = printed_size(board)
+    _check_fits(board, board_size, page)
+    figure = Figure(figsize=(width / MM_PER_INCH, height / MM_PER_INCH))
+    axes = figure.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(height, 0))
+    axes.set_axis_off()
+    corner = (np.array([width, height - FOOT]) - board_size) / 2 + first_point(board)
+    axes.add_patch(PathPatch(_outlines(board, corner), facecolor="black", linewidth=0))
+    _draw_foot(axes, board, (width, height))
+    path = FilePath(path)
+    with mpl.rc_context({"pdf.fonttype": 42, "path.simplify": False}):
+        figure.savefig(path, format="pdf", metadata={"CreationDate": None, "Title": board.name})
+    return path
+
+
+def printed_size(board: Board) -> Array:
+    """Return width and height of what is printed dark, mm."""
+    step = board.square if isinstance(board, Checkerboard | Charuco) else board.pitch
+    counts = np.array([board.columns, board.rows])
+    if isinstance(board, Checkerboard | Charuco):
+        return np.asarray((counts + 1) * step)
+    shape = board.diameter if isinstance(board, DotGrid) else board.square
+    return np.asarray((counts - 1) * step + shape)
+
+
+def first_point(board: Board) -> Array:
+    """Return where the board's origin is, from the upper left of what is printed, mm."""
+    if isinstance(board, Checkerboard | Charuco):
+        return np.full(2, board.square)
+    return np.full(2, board.diameter / 2 if isinstance(board, DotGrid) else 0.0)
+
+
+def _page_size(page: str) -> tuple[float, float]:
+    if page not in PAGES:
+        raise ValueError(f"page must be one of {', '.join(PAGES)}, got {page!r}")
+    return PAGES[page]
+
+
+def _check_fits(board: Board, size: Array, page: str) -> None:
+    """Raise unless the board, with its margins, fits on a page."""
+    room = np.array(PAGES[page]) - 2 * MARGIN - (0, FOOT)
+    if (size <= room).all():
+        return
+    larger = [
+        name for name, of in PAGES.items() if (size <= np.array(of) - 2 * MARGIN - (0, FOOT)).all()
+    ]
+    raise ValueError(
+        f"{board.name} take {size[0]:g} × {size[1]:g} mm, but {page} has room for "
+        f"{room[0]:g} × {room[1]:g} mm: make them smaller by {(size / room).max():.2f} or more"
+        + (f", or print on {larger[0]}" if larger else "")
+    )
+
+
+def _outlines(board: Board, corner: Array) -> Path:
+    """Return everything dark as one path; its parts then meet without a seam."""
+    from matplotlib.path import Path
+
+    if isinstance(board, DotGrid):
+        centres = board.points()[:, :2] + corner
+        return Path.make_compound_path(*(Path.circle(c, board.diameter / 2) for c in centres))
+    return Path.make_compound_path(*(_rectangle(*r) for r in dark_rectangles(board, corner)))
+
+
+def dark_rectangles(board: Checkerboard | Charuco | SquareGrid, corner: Array) -> Array:
+    """Return left, top, width and height of all that is dark, shape (N, 4), mm.
+
+    Parameters
+    ----------
+    board : Checkerboard, Charuco or SquareGrid
+        The board.
+    corner : ndarray, shape (2,)
+        Where its origin is.
+    """
+    side = board.square
+    if isinstance(board, SquareGrid):
+        corners = board.points()[::4, :2] + corner
+        return np.column_stack([corners, np.full((len(corners), 2), side)])
+    places = np.argwhere(np.indices((board.rows + 1, board.columns + 1)).sum(axis=0) % 2 == 0)
+    corners = corner - side + side * places[:, ::-1]
+    rectangles = [np.column_stack([corners, np.full((len(corners), 2), side)])]
+    if isinstance(board, Charuco):
+        for column, row, cells in charuco_markers(board):
+            cell = board.marker / len(cells)
+            start = corner - side + side * np.array([column, row]) + (side - board.marker) / 2
+            corners = start + cell * np.argwhere(cells)[:, ::-1]
+            rectangles.append(np.column_stack([corners, np.full((len(corners), 2), cell)]))
+    return np.concatenate(rectangles)
+
+
+def _rectangle(left: float, top: float, width: float, height: float) -> Path:
+    from matplotlib.path import Path
+
+    right, bottom = left + width, top + height
+    corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)]
+    return Path(corners, closed=True)
+
+
+def _draw_foot(axes: Any, board: Board, page: tuple[float, float]) -> None:
+    """Draw the bar of 100 mm and what the board is."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+
+    left, y = MARGIN + 2, page[1] - MARGIN - 4
+    parts = [_rectangle(left + k, y, 10, 2) for k in range(0, 100, 20)]
+    parts += [_rectangle(left, y - 2, 100, 0.3), _rectangle(left, y + 2, 100, 0.3)]
+    parts += [_rectangle(left + k, y - 2, 0.3, 6) for k in (-0.15, 99.85)]
+    axes.add_patch(PathPatch(Path.make_compound_path(*parts), facecolor="black", linewidth=0))
+    sizes = {"square": "squares", "pitch": "pitch", "diameter": "dots", "marker": "markers"}
+    told = [f"{word} {getattr(board, n):g} mm" for n, word in sizes.items() if hasattr(board, n)]
+    said = f"{board.name}, {', '.join(told)}. Print at 100 %; this bar must measure 100 mm."
+    axes.text(left + 104, y + 1, said, fontsize=8, va="center")

@@ -1,0 +1,112 @@
+import re
+import zlib
+
+import cv2
+import numpy as np
+import pytest
+
+from course_lib.boards import Charuco, Checkerboard, DotGrid, SquareGrid
+from course_lib.detection import detect_board
+from data_generators.printable import dark_rectangles, first_point, printed_size, save_board
+
+POINT = 25.4 / 72  # mm
+BOARDS = [
+    Checkerboard(9, 6, 20),
+    DotGrid(9, 6, 20, 12),
+    Charuco(9, 6, 20, 15),
+    SquareGrid(8, 6, 12, 20),
+]
+
+
+def page_of(path):
+    """Size of the page in mm, and the drawing commands."""
+    content = path.read_bytes()
+    box = [float(x) for x in re.search(rb"/MediaBox \[([^\]]*)\]", content)[1].split()]
+    streams = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", content, re.S)
+    texts = []
+    for stream in streams:
+        try:
+            texts.append(zlib.decompress(stream).decode("latin-1"))
+        except (zlib.error, UnicodeDecodeError):
+            continue
+    return np.array(box[2:]) * POINT, max((t for t in texts if " m\n" in t), key=len)
+
+
+def rectangles_of(commands):
+    """Left, top and size of the closed quadrilaterals of a page, mm; curves are left out."""
+    found = []
+    for part in re.split(r"\bh\b", commands):
+        corners = re.findall(r"([-\d.]+) ([-\d.]+) [ml]\b", part)
+        if len(corners) >= 4 and " c\n" not in part:
+            points = np.array(corners, float) * POINT
+            found.append([*points.min(axis=0), *np.ptp(points, axis=0)])
+    return np.array(found)
+
+
+@pytest.mark.parametrize("board", BOARDS)
+def test_page_has_the_right_size(board, tmp_path):
+    size, _ = page_of(save_board(tmp_path / "board.pdf", board))
+    np.testing.assert_allclose(size, (297, 210), atol=1e-3)
+
+
+@pytest.mark.parametrize("board", [b for b in BOARDS if not isinstance(b, DotGrid)])
+def test_printed_to_scale(board, tmp_path):
+    _, commands = page_of(save_board(tmp_path / "board.pdf", board))
+    printed = rectangles_of(commands)
+    squares = printed[(abs(printed[:, 2:] - board.square) < 0.01).all(axis=1)]
+    expected = dark_rectangles(board, np.zeros(2))
+    expected = expected[expected[:, 2] == board.square]
+    assert len(squares) == len(expected)
+    corners = squares[:, :2] * (1, -1)
+    corners -= corners[np.lexsort(corners.T)[0]]
+    wanted = expected[:, :2] - expected[np.lexsort(expected[:, :2].T)[0], :2]
+    wanted, corners = (np.array(sorted(np.round(c, 2).tolist())) for c in (wanted, corners))
+    np.testing.assert_allclose(corners, wanted, atol=0.02)
+    # The bar below.
+    assert (abs(printed[:, 2] - 100) < 0.01).sum() == 2
+
+
+def test_dots_are_round_and_to_scale(tmp_path):
+    board = BOARDS[1]
+    _, commands = page_of(save_board(tmp_path / "board.pdf", board))
+    starts = re.findall(r"([-\d.]+) ([-\d.]+) m\n[^m]*? c\n", commands)
+    bottoms = np.array(starts, float) * POINT
+    bottoms = bottoms[bottoms[:, 1] > 25]
+    assert len(bottoms) == 54
+    np.testing.assert_allclose(np.diff(np.unique(bottoms[:, 0].round(2))), 20, atol=0.02)
+    np.testing.assert_allclose(np.diff(np.unique(bottoms[:, 1].round(2))), 20, atol=0.02)
+
+
+@pytest.mark.parametrize("board", [BOARDS[0], BOARDS[2]])
+def test_what_is_printed_is_found(board):
+    scale = 3  # px in a mm
+    size = np.rint((printed_size(board) + 20) * scale).astype(int)
+    picture = np.full(size[::-1], 230, np.uint8)
+    corner = first_point(board) + 10
+    for left, top, width, height in dark_rectangles(board, corner) * scale:
+        columns, rows = (
+            slice(round(left), round(left + width)),
+            slice(round(top), round(top + height)),
+        )
+        picture[rows, columns] = 20
+    found = detect_board(cv2.GaussianBlur(picture, (0, 0), 0.8), board)
+    assert len(found.ids) == 54
+    # Pixel edges are at -0.5.
+    expected = (board.points()[:, :2] + corner) * scale - 0.5
+    np.testing.assert_allclose(found.points, expected[found.ids], atol=0.05)
+
+
+def test_same_board_same_file(tmp_path):
+    one, two = (save_board(tmp_path / name, BOARDS[2]).read_bytes() for name in ("1.pdf", "2.pdf"))
+    assert one == two
+
+
+def test_too_large(tmp_path):
+    with pytest.raises(ValueError, match=r"take 400 × 280 mm, .* or print on A3|A2"):
+        save_board(tmp_path / "board.pdf", Checkerboard(9, 6, 40))
+    assert not list(tmp_path.iterdir())
+
+
+def test_unknown_page(tmp_path):
+    with pytest.raises(ValueError, match="page must be one of A4"):
+        save_board(tmp_path / "board.pdf", BOARDS[0], "B5")
