@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from functools import partial
 
-from benchmarks import commands, compute, latency, lens
+from benchmarks import commands, compute, estimate, latency, lens
 from benchmarks.table import RESULTS, Row, write_section
 
 #: Every entry is a function that returns rows. Add yours here.
@@ -17,6 +17,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "rendering": compute.rendering,
     "defocusing": compute.defocusing,
     "distorting": lens.distorting,
+    "estimating": estimate.estimating,
     "starting": commands.starting,
     "building": commands.building,
 }

@@ -110,12 +110,12 @@ def fit_homographies(points: ArrayLike, targets: ArrayLike) -> Array:
         )
     p, T_points = _normalised(points, "points")
     q, T_targets = _normalised(targets, "targets")
-    sizes, vectors = np.linalg.eigh(_design_squared(_monomials(p), q[..., :2, :]))
+    monomials = _monomials(p)
+    sizes, vectors = np.linalg.eigh(_design_squared(monomials, q[..., :2, :]))
     H = vectors[..., 0].reshape(-1, 3, 3)
     if (sizes[:, 1] <= AMBIGUOUS * sizes[:, -1]).any():
         raise DegenerateConfigurationError(TOO_FEW)
-    check_plane_kept(H)
-    H = _refined(H, p, q)
+    H = _refined(H, p, q, monomials)
     check_plane_kept(H)
     return with_usual_scale(np.linalg.inv(T_targets) @ H @ T_points)
 
@@ -153,7 +153,7 @@ def refine_homography(H: ArrayLike, points: ArrayLike, targets: ArrayLike) -> Ar
     start = (T_targets @ H @ np.linalg.inv(T_points))[None]
     start = start / (np.linalg.norm(start) or 1)
     check_plane_kept(start)
-    refined = _refined(start, p, q[None])
+    refined = _refined(start, p, q[None], _monomials(p))
     check_plane_kept(refined)
     return with_usual_scale(np.linalg.inv(T_targets) @ refined[0] @ T_points)
 
@@ -180,14 +180,13 @@ class _Linear(NamedTuple):
 
 
 @np.errstate(divide="ignore", invalid="ignore", over="ignore")  # images may be at infinity
-def _refined(H: Array, p: Array, q: Array) -> Array:
+def _refined(H: Array, p: Array, q: Array, monomials: Array) -> Array:
     """Return homographies of length 1, (B, 3, 3), at the minimum: damped Gauss–Newton for all.
 
     Points and targets are homogeneous, in columns: shape (..., 3, N). An image at infinity makes
     the sum of squares infinite or NaN, which is never better.
     """
-    monomials, damping = _monomials(p), np.zeros(len(H))
-    now = _linearised(H, p, q, monomials)
+    now, damping = _linearised(H, p, q, monomials), np.zeros(len(H))
     for _ in range(STEPS):
         step, promise = _step(H, now, damping)
         trial = H - step
