@@ -30,6 +30,7 @@ from course_lib.calibration_start import minimum
 from course_lib.calibration_views import board_points, gather_views
 from course_lib.checks import check_size
 from course_lib.least_squares import parameter_covariance
+from course_lib.stereo_calibration import StereoCalibration, calibrate_stereo
 from course_lib.zhang import (
     homography_constraints,
     initial_distortion,
@@ -42,10 +43,12 @@ __all__ = [
     "CameraModel",
     "Coverage",
     "RobustCalibration",
+    "StereoCalibration",
     "board_points",
     "board_tilts",
     "calibrate",
     "calibrate_robustly",
+    "calibrate_stereo",
     "coverage",
     "held_out_rms",
     "homography_constraints",

@@ -72,6 +72,7 @@ MATHEMATICS = {
     "sensor",
     "sensor_model",
     "shutter",
+    "stereo_calibration",
     "tone",
     "transforms",
     "zhang",
