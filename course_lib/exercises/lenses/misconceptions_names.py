@@ -113,10 +113,6 @@ def second_number_with_its_minus(name):
     return pairs_of(*search_both(name), 3, 2, 3)
 
 
-def both_second_numbers_with_their_minus(name):
-    return pairs_of(*search_both(name), 2, 2, 3)
-
-
 def focal_length_with_its_minus(name):
     return pairs_of(*search_both(name), 2, 2, 4)
 

@@ -12,13 +12,13 @@ PARSE_LENS_NAME = Exercise(
     optics.parse_lens_name,
     points=5,
     parts={
-        "a prime lens": inputs.prime,
-        "a zoom": inputs.zoom,
-        "a zoom with one f-number": Part(inputs.zoom_of_one_aperture, weight=0.5),
-        "an f-number written as a ratio": inputs.ratio_notation,
-        "an f-number after a capital letter": Part(inputs.capital_letter, weight=0.5),
-        "a focal length with a point": Part(inputs.with_a_point, weight=0.5),
-        "a space before mm": Part(inputs.space_before_mm, weight=0.5),
+        "a prime lens": Part(inputs.prime, cases=2),
+        "a zoom": Part(inputs.zoom, cases=2),
+        "a zoom with one f-number": Part(inputs.zoom_of_one_aperture, cases=2, weight=0.5),
+        "an f-number written as a ratio": Part(inputs.ratio_notation, cases=2),
+        "an f-number after a capital letter": Part(inputs.capital_letter, cases=2, weight=0.5),
+        "a focal length with a point": Part(inputs.with_a_point, cases=2, weight=0.5),
+        "a space before mm": Part(inputs.space_before_mm, cases=2, weight=0.5),
         "a name that lacks one of the two": inputs.no_lens_name,
     },
     misconceptions=[
@@ -51,7 +51,7 @@ PARSE_LENS_NAME = Exercise(
             wrong.second_number_with_its_minus,
             "A second number is negative. Which part of the match holds the minus, too, and which "
             "the number alone?",
-            also=[wrong.both_second_numbers_with_their_minus, wrong.focal_length_with_its_minus],
+            also=[wrong.focal_length_with_its_minus],
         ),
         Misconception(
             wrong.sign_for_a_number,
