@@ -18,7 +18,12 @@ from course_lib.calibration_coverage import (
     held_out_rms,
     view_residuals,
 )
-from course_lib.calibration_judgement import reject_views, reprojection_residuals, rms_error
+from course_lib.calibration_judgement import (
+    refine_calibration,
+    reject_views,
+    reprojection_residuals,
+    rms_error,
+)
 from course_lib.calibration_model import CameraModel
 from course_lib.calibration_result import (
     Calibration,
@@ -56,6 +61,7 @@ __all__ = [
     "intrinsics_from_homographies",
     "parameter_covariance",
     "pose_from_homography",
+    "refine_calibration",
     "reject_views",
     "reprojection_residuals",
     "residuals_and_jacobian",

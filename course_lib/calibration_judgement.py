@@ -12,7 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from course_lib.checks import (
     Array,
+    DegenerateConfigurationError,
     check_intrinsics,
+    check_matrix,
+    check_not_negative,
     check_number,
     check_points,
     check_rotation,
@@ -110,6 +113,59 @@ def rms_error(residuals: ArrayLike) -> float:
     if not len(residuals):
         raise ValueError("residuals are empty: there is no point to judge by")
     return float(np.sqrt((residuals**2).sum(axis=1).mean()))
+
+
+def refine_calibration(
+    parameters: ArrayLike, residuals: ArrayLike, J: ArrayLike, damping: float
+) -> Array:
+    """Return all parameters of a calibration after one step of Levenberg and Marquardt.
+
+    `calibrate` takes the same steps, but eliminates the poses instead of writing down J.
+
+    Parameters
+    ----------
+    parameters : array_like, shape (n,)
+        Where the step begins.
+    residuals : array_like, shape (m,)
+        Projected minus observed pixels there, in one row.
+    J : array_like, shape (m, n)
+        Their derivatives by the parameters, as of `residuals_and_jacobian`.
+    damping : float
+        λ ≥ 0, which shortens the step.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        The parameters plus the δ that solves ``(JᵀJ + λ diag(JᵀJ)) δ = -Jᵀ residuals``.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the shapes do not fit, a number is not finite or the damping is negative.
+    DegenerateConfigurationError
+        If the system is singular: the residuals do not determine the parameters.
+
+    References
+    ----------
+    D. Marquardt, "An algorithm for least-squares estimation of nonlinear parameters" (1963).
+
+    Examples
+    --------
+    >>> refine_calibration([10], [6, 6], [[2], [2]], damping=1)
+    array([8.5])
+    """
+    parameters = check_vector(parameters, np.size(parameters), "parameters")
+    residuals = check_vector(residuals, np.size(residuals), "residuals")
+    J = check_matrix(J, (residuals.size, parameters.size), "J")
+    damping = float(check_not_negative(check_number(damping, "damping"), "damping"))
+    N = J.T @ J
+    try:
+        step = np.linalg.solve(N + damping * np.diag(np.diag(N)), -J.T @ residuals)
+    except np.linalg.LinAlgError as error:
+        raise DegenerateConfigurationError(
+            "the residuals do not determine the parameters: leave some out, or take more views"
+        ) from error
+    return np.asarray(parameters + step)
 
 
 def reject_views(residuals: Sequence[ArrayLike], limit: float = 2.0) -> NDArray[np.bool_]:

@@ -156,6 +156,7 @@ REFINE_CALIBRATION = Exercise(
         "without damping": Part(inputs.undamped_step, weight=3),
         "with damping": Part(inputs.damped_step, weight=4),
     },
+    forbidden=("course_lib.calibration_judgement.refine_calibration",),
     misconceptions=[
         Misconception(
             wrong.uphill,
