@@ -196,7 +196,12 @@ def _stopped(row: Floats, angle: float, place: float) -> Floats:
 def _spot(place: float, angle: float) -> tuple[float, float]:
     """Return where the word beside the ray stands, kept inside the drawing."""
     u, v = _on_side([[place - 9.5 * np.tan(angle), 9.5]])[0]
-    return max(float(u) - 8, 44.0), float(v)
+    if u >= 90 and angle < 0.9:
+        return float(u) - 8, float(v)
+    # At the left edge, and beside a flat ray, it stands below the ray.
+    right = max(float(u) - 8, 44.0)
+    z = (place - (right - SIDE_ZERO[0]) / SIDE_SCALE) / np.tan(angle)
+    return right, float(_on_side([[0, z]])[0, 1]) + 16
 
 
 def _on_side(points: object) -> Floats:
