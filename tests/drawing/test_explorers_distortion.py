@@ -112,9 +112,16 @@ def test_no_fold_is_marked_where_there_is_none_or_it_is_out_of_the_plot():
 
 def test_a_fold_inside_the_picture_is_said():
     frame = bent(k1=-0.5)
-    assert "folds over inside" in frame.pictures[0].alt
+    assert "No ray reaches the corners" in frame.pictures[0].alt
     assert np.isnan(value(frame, "Corner moves by"))
     assert (frame.pictures[0].image[0, 0] == 0).all()
+
+
+@pytest.mark.parametrize(("k1", "seen"), [(-0.2, True), (-0.22, False)])
+def test_corners_are_black_when_the_top_of_the_profile_is_lower(k1, seen):
+    picture = bent(k1=k1).pictures[0]
+    assert bool(picture.image[0, 0].any()) is seen
+    assert ("No ray reaches the corners" in picture.alt) is not seen
 
 
 def test_words_say_which_way_edges_bend():

@@ -161,7 +161,8 @@ def profiles(
     lenses : sequence of array_like
         Radial coefficients k1, k2, … of each.
     corner : float
-        Distance of the corner of our picture from the centre, by the focal length.
+        Distance of the corner of our picture from the centre, by the focal length; the picture
+        holds what lies nearer after the lens.
     yours : sequence of float, optional
         Valid radius of each lens that a student's function gave.
 
@@ -182,8 +183,8 @@ def profiles(
             ax.plot(limit, height, "o", color=BLACK, ms=17, mfc="none", mew=1.6, zorder=4)
             name += f", folds over at {limit:.2f}"
         ax.plot(r, _along(r, lens), style, color=ROLES[role], label=name)
-    ax.axvspan(0, corner, color=LIGHT, lw=0, zorder=0)
-    write(ax, (corner / 2, 1.6), "inside our picture", "guide")
+    ax.axhspan(0, corner, color=LIGHT, lw=0, zorder=0)
+    write(ax, (0.03, corner - 0.07), "inside our picture", "guide", ha="left")
     _your_limits(ax, lenses, yours)
     ax.set(xlabel="$r$: distance from the centre, pinhole (no unit)", xlim=(0, 1.8))
     ax.set(ylabel="$r_d$: with the lens (no unit)", ylim=(0, 1.75))

@@ -54,7 +54,7 @@ def distortion_frame(**coefficients: float) -> Frame:
         Readout("Corner moves by", "", f"{moved:.1f}" if seen else "–", "px" if seen else ""),
         Readout("of it tangential", "", f"{aside:.1f}", "px"),
         Readout("Valid radius", "r", "∞" if np.isinf(limit) else f"{limit:.2f}"),
-        Readout("Corner of the picture at", "r", f"{CORNER:.2f}"),
+        Readout("Corner of the picture at", "", f"{CORNER:.2f}"),
     )
     return Frame((_house(lens, limit), _field(lens, limit), _profile(lens, limit)), readouts)
 
@@ -68,7 +68,8 @@ def _house(lens: Floats, limit: float) -> Picture:
     # How far the middle of the upper and of the lower edge bulges out, against its ends.
     edges = distort_pixels(pixel_grid(SIZE, 3, 2).reshape(-1, 2), K, lens)[:, 1]
     above, below = edges[[0, 3]] - edges[[1, 4]]
-    fold = " The lens folds over inside the picture." if limit < CORNER else ""
+    reach = _radial(np.array([limit]), lens)[0] if limit < np.inf else np.inf
+    fold = " No ray reaches the corners of the picture." if reach < CORNER else ""
     return Picture(
         "Through the lens",
         f"A house with a grid of straight lines. The line at the upper edge is {_bend(above)}, "
@@ -168,8 +169,8 @@ def _profile(lens: Floats, limit: float) -> Picture:
     """Return the radial terms as a curve, r_d against r, with the place where it folds over."""
     r = np.linspace(0, PROFILE.x[1], 160)
     r_d = _radial(r, lens)
-    low, high = PROFILE.y
-    inside = PROFILE.pixels([0, CORNER, CORNER, 0], [low, low, high, high])
+    left, right = PROFILE.x
+    inside = PROFILE.pixels([left, right, right, left], [0, 0, CORNER, CORNER])
     fold, mark = _fold(lens, limit)
     said = "never folds over" if np.isinf(limit) else f"folds over at r = {limit:.2f}"
     return Picture(
@@ -187,7 +188,7 @@ def _profile(lens: Floats, limit: float) -> Picture:
         labels=(
             *PROFILE.ticks((0, 0.5, 1, 1.5), (0.5, 1, 1.5)),
             *PROFILE.names("r of a pinhole", "r with the lens"),
-            Label("picture", PROFILE.at(CORNER, high, -4, 8), "guide", "end"),
+            Label("picture", PROFILE.at(right, CORNER, -4, 9), "guide", "end"),
             *mark,
         ),
     )
