@@ -83,9 +83,9 @@ def homography_dlt(points: ArrayLike, targets: ArrayLike) -> Array:
     Parameters
     ----------
     points : array_like, shape (N, 2)
-        N ≥ 4 points ``(x, y)`` in rows.
+        N ≥ 4 points in rows.
     targets : array_like, shape (N, 2)
-        Their images ``(u, v)``, with errors.
+        Where each of them should go, with errors.
 
     Returns
     -------
@@ -116,10 +116,10 @@ def homography_dlt(points: ArrayLike, targets: ArrayLike) -> Array:
         check_spread(array, 2, name)
     near_points, T_points = normalise_points(points)
     near_targets, T_targets = normalise_points(targets)
-    (x, y), (u, v) = near_points.T, near_targets.T
-    one, zero = np.ones_like(x), np.zeros_like(x)
-    rows_u = np.stack([x, y, one, zero, zero, zero, -u * x, -u * y, -u], axis=1)
-    rows_v = np.stack([zero, zero, zero, x, y, one, -v * x, -v * y, -v], axis=1)
-    H = solve_homogeneous(np.concatenate([rows_u, rows_v])).reshape(3, 3)
+    (u, v), (x, y) = near_points.T, near_targets.T
+    one, zero = np.ones_like(u), np.zeros_like(u)
+    rows_x = np.stack([u, v, one, zero, zero, zero, -x * u, -x * v, -x], axis=1)
+    rows_y = np.stack([zero, zero, zero, u, v, one, -y * u, -y * v, -y], axis=1)
+    H = solve_homogeneous(np.concatenate([rows_x, rows_y])).reshape(3, 3)
     check_plane_kept(H)
     return with_usual_scale(np.linalg.inv(T_targets) @ H @ T_points)

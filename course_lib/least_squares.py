@@ -129,15 +129,15 @@ def fit_affine(points: ArrayLike, targets: ArrayLike) -> Array:
     Parameters
     ----------
     points : array_like, shape (N, 2)
-        N ≥ 3 points ``(x, y)`` in rows, not all on one line.
+        N ≥ 3 points in rows, not all on one line.
     targets : array_like, shape (N, 2)
-        Where each point should go, ``(u, v)``: with errors.
+        Where each point should go, with errors.
 
     Returns
     -------
     ndarray, shape (2, 3)
-        The matrix A for which the sum of the squared distances between ``A (x, y, 1)`` and the
-        targets is smallest.
+        The matrix A for which the sum of the squared distances between ``A (u, v, 1)`` and the
+        targets is smallest; ``(u, v)`` is a point.
 
     Raises
     ------
@@ -158,8 +158,8 @@ def fit_affine(points: ArrayLike, targets: ArrayLike) -> Array:
     """
     points, targets = check_pairs(points, targets, (2, 2), ("points", "targets"), least=3)
     check_spread(points, 2, "points")
-    X = np.concatenate([points, np.ones_like(points[:, :1])], axis=1)  # a row (x, y, 1) each
-    # Two problems with the same left side: one for u, one for v.
+    X = np.concatenate([points, np.ones_like(points[:, :1])], axis=1)  # a row (u, v, 1) each
+    # Two problems with the same left side: one for x, one for y.
     return solve_qr(X, targets).T
 
 

@@ -18,7 +18,7 @@ def least_squares_explorer() -> Explorer:
     return Explorer(
         "Least squares by hand",
         [
-            Slider("m", "Slope", "m", "per kN", *SLOPES, 30, step=0.5, digits=1),
+            Slider("m", "Slope", "m", "/kN", *SLOPES, 30, step=0.5, digits=1),
             Slider("c", "Height at load zero", "c", "", *INTERCEPTS, 100, step=2),
             Switch("slipped", "One gauge slipped"),
             Switch("best", "Show the line of least squares"),
@@ -31,10 +31,10 @@ def homography_explorer() -> Explorer:
     """Return the explorer of a homography from four corners."""
     sliders = []
     for k, (name, (u, v)) in enumerate(zip(NAMES, START.tolist(), strict=True), 1):
-        label = name.capitalize()
+        label, foot = name.capitalize(), "₁₂₃₄"[k - 1]
         sliders += [
-            Slider(f"u{k}", f"{label}, column", f"u{'₁₂₃₄'[k - 1]}", "px", 0, SIZE[0] - 1, u),
-            Slider(f"v{k}", f"{label}, row", f"v{'₁₂₃₄'[k - 1]}", "px", 0, SIZE[1] - 1, v),
+            Slider(f"u{k}", label, f"u{foot}", "px", 0, SIZE[0] - 1, u),
+            Slider(f"v{k}", label, f"v{foot}", "px", 0, SIZE[1] - 1, v),
         ]
     return Explorer("A homography from four corners", sliders, homography_frame)
 

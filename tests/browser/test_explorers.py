@@ -57,7 +57,7 @@ EXPLORERS = {
         "estimation",
         "homography_explorer",
         "A homography from four corners",
-        "Bottom left, column",
+        "Bottom left u₁",
     ),
     "noise": (
         "estimation",
@@ -246,7 +246,7 @@ def test_a_spot_of_a_picture_can_be_dragged(page):
     mouse.move(box["x"] + 300.5 * scale, box["y"] + 120.5 * scale, steps=12)
     mouse.up()
     settle(root)
-    for name, value in (("Top right, column", 300), ("Top right, row", 120)):
+    for name, value in (("Top right u₃", 300), ("Top right v₃", 120)):
         text = root.get_by_role("slider", name=name).get_attribute("aria-valuetext")
         assert abs(int(text.removesuffix(" px")) - value) <= 1
     assert (photograph(root) != before).mean() > 0.005

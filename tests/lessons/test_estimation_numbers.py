@@ -174,7 +174,7 @@ def test_the_wall_of_the_explorer():
     start = wall_explorer.START.copy()
     start[2] = 230, 185
     assert "on a line" in wall_explorer.homography_frame(*start.ravel()).readouts[0].value
-    says("column 230 and row 185", "12.0 m wide and 8.2 m high")
+    says("$u_3 = 230$ and $v_3 = 185$", "12.0 m wide and 8.2 m high")
 
 
 def test_the_real_wall():

@@ -46,7 +46,7 @@ def least_squares_frame(m: float, c: float, slipped: bool = False, best: bool = 
     numbers = (
         Readout("Sum of the squares", "E²", f"{total:.0f}"),
         Readout("Smallest possible", "", f"{squares(slope, intercept, y):.0f}"),
-        Readout("Best slope", "", f"{slope:.1f}", "per kN"),
+        Readout("Best slope", "", f"{slope:.1f}", "/kN"),
         Readout("Best height", "", f"{intercept:.1f}"),
     )
     pictures = (
