@@ -88,9 +88,25 @@ def test_where_the_second_camera_is():
     assert np.linalg.norm(SECOND.t) == pytest.approx(15.1, abs=0.05)
     assert np.linalg.norm(SECOND.centre) == pytest.approx(np.linalg.norm(SECOND.t))
     measured = SECOND.R @ draw.CORNER + SECOND.t
-    assert rounded(measured, 3) == [3.600, -3.156, 16.892]
+    assert rounded(measured, 3) == [4.090, -2.854, 16.907]
     says(r"(-12.84,\, 7.79,\, -1.35)", r"(4.92,\, 12.36,\, 7.10)", "15.1 m")
-    says("np.array([3.600, -3.156, 16.892])")
+    says("np.array([4.090, -2.854, 16.907])")
+
+
+def test_the_corner_is_the_tip_of_the_roof():
+    from data_generators.places import street
+
+    corners = np.concatenate([patch.corners for patch in street().patches])
+    assert np.linalg.norm(corners - draw.CORNER, axis=1).min() < 1e-9
+
+
+def test_the_mast_grows():
+    file = draw.FROM_BLENDER.copy()
+    file[2, 3] = 12
+    high = Camera(draw.K, *transforms.cv_from_graphics_camera(file), draw.SIZE)
+    low, moved = SECOND.project(draw.CORNER), high.project(draw.CORNER)
+    assert [rounded(low, 0), rounded(moved, 0)] == [[529, 121], [516, 310]]
+    says("by 189 px at the corner of the eaves: from $(529, 121)$ to $(516, 310)$")
 
 
 def test_the_mark_at_t_lies_in_the_cellar_of_the_neighbours():
@@ -190,24 +206,27 @@ def test_measuring_with_one_picture():
     along = -C[2] / d[:, 2:]
     ground = C + along * d
     assert rounded(np.linalg.norm(ground[1] - ground[0]), 2) == 8.97
-    assert rounded(along[1, 0], 1) == 18.8
+    assert rounded(np.linalg.norm(draw.HOUSE[1] - SECOND.centre), 1) == 18.9
     assert np.linalg.norm(draw.HOUSE[1] - draw.HOUSE[0]) == 9
     says(
-        "9.00 m wide, and whole pixels give 8.97 m", "18.8 m away", "(169.0, 427.0), (496.0, 317.0)"
+        "9.00 m wide, and whole pixels give 8.97 m", "18.9 m away", "(169.0, 427.0), (496.0, 317.0)"
     )
 
 
 def test_back_to_the_street():
     first = draw.first_camera()
     pixels = [rounded(view.project(draw.CORNER), 1) for view in (first, SECOND)]
-    assert pixels == [[622.0, 93.7], [508.7, 108.7]]
+    assert pixels == [[650.9, 107.0], [528.8, 121.3]]
     sizes = [1000 * (v.R @ draw.CORNER + v.t)[2] / v.K[0, 0] for v in (first, SECOND)]
-    assert rounded(sizes, 1) == [17.1, 24.1]
-    assert rounded(np.multiply(sizes, 720 / 6000), 1) == [2.1, 2.9]
+    assert rounded(sizes, 1) == [16.6, 24.2]
+    assert rounded(np.multiply(sizes, 720 / 6000), 1) == [2.0, 2.9]
     assert rounded(np.linalg.norm(first.centre - SECOND.centre), 2) == 9.62
-    assert rounded(np.linalg.norm(draw.CORNER - first.centre), 1) == 13.1
-    assert first.project(draw.CORNER).round().tolist() == [622, 94]
+    assert rounded(np.linalg.norm(draw.CORNER - first.centre), 1) == 12.8
+    assert first.project(draw.CORNER).round().tolist() == [651, 107]
+    direction = np.linalg.inv(first.K) @ (651, 107, 1)
+    assert rounded(direction, 3) == [0.416, -0.189, 1]
+    says("$(651, 107)$", "$(0.416, -0.189, 1)$", "It is 12.8 m away")
     assert first.centre[0] - draw.HOUSE[0, 0] == pytest.approx(12)
     says(
-        "$(622.0, 93.7)$", "$(508.7, 108.7)$", "17.1 mm and 24.1 mm", "2.1 mm and 2.9 mm", "9.62 m"
+        "$(650.9, 107.0)$", "$(528.8, 121.3)$", "16.6 mm and 24.2 mm", "2.0 mm and 2.9 mm", "9.62 m"
     )

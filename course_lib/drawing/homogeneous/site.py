@@ -36,8 +36,8 @@ HOUSE = np.array(
 )
 HOUSE_EDGES = [(i, (i + 1) % 4) for i in range(4)]
 HOUSE_EDGES += [(i + 4, j + 4) for i, j in HOUSE_EDGES] + [(i, i + 4) for i in range(4)]
-#: The northern end of the front's eaves, m.
-CORNER = HOUSE[2]
+#: The northern end of the front's eaves, m: the tip of a roof that reaches 0.35 m over the walls.
+CORNER = np.array([-6.25, 25.85, 5.106])
 
 
 def first_camera() -> Camera:
@@ -187,7 +187,7 @@ def street_map(
         ax.plot(
             *there.T, "*", color=ROLES["second"], mec=BLACK, mew=0.5, ms=13, ls="", label="yours"
         )
-    ax.legend(loc="lower left", frameon=True)
+    ax.legend(loc="center left", bbox_to_anchor=(1.02, 0.5), frameon=False)
     ax.set(
         xlabel="x, east (m)", ylabel="y, north (m)", xlim=(-16, 12), ylim=(3, 36), aspect="equal"
     )

@@ -154,14 +154,14 @@ EXPLAIN_TRANSLATION = Explain(
     rubric=[
         (1, "Says what t is: the world's origin seen from the camera, along the camera's axes."),
         (1, "Says that the camera is at minus R transposed times t, or sees why from the pose."),
-        (1, "Says when the two could be confused: only without rotation, and then for the sign."),
+        (1, "Says when −t would be the right place: only for a camera that is not rotated, R = I."),
         (1, "Gives a check: the centre must map to zero; or a distance, which is the same."),
     ],
     model_answer=(
         "The pose takes world points to the camera: with the world's origin, X = 0, we get t. So "
         "t says where the origin is, seen from the camera and counted along the camera's axes. "
         "The camera's centre C is the point that becomes zero: R C + t = 0, so C = −Rᵀ t. Without "
-        "rotation C = −t, and only the sign is wrong; with rotation the direction is wrong too, "
+        "rotation C = −t; with rotation the direction is wrong too, "
         "while the distance of the camera from the origin is the length of t in both. To check, "
         "put the supposed centre into R X + t and see whether zero comes out."
     ),
