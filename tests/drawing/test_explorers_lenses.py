@@ -145,6 +145,26 @@ def test_numbers_of_two_lenses_are_those_of_the_system():
     assert value(frame, "Power of the whole") == pytest.approx(1000 / f, abs=0.05)
 
 
+def test_a_blur_beside_one_pixel_shows_on_which_side_it_is():
+    c = float(optics.circle_of_confusion(7000, 3500, 50, 5.6)) / 1.02  # mm
+    labels = DEPTH(50, 5.6, 3.5, 1000 * c).pictures[0].labels
+    (beside,) = (label for label in labels if label.text == "1.02 px")
+    assert beside.role == "object"
+    assert "1.0 px" not in [label.text for label in labels]
+
+
+def test_focal_points_of_a_pair_are_told_from_those_of_its_first_lens():
+    alone = texts(RAYS(150, 60, rays.ONE, 30, 30).pictures[0])
+    assert {"F", "F′"} <= set(alone)
+    picture = RAYS(1e6, 50, rays.SPREADING, 30, 35).pictures[0]
+    f, _, back = optics.lens_system(50, -30, 35)
+    at = {label.text: label.at for label in picture.labels}
+    assert at["F₁′"][0] == pytest.approx(rays._at(50, 0)[0])
+    assert at["F′"][0] == pytest.approx(rays._at(35 + back + f, 0)[0])
+    assert abs(at["image"][1] - at["F′"][1]) > 14  # px: both can be read
+    assert abs(at["image"][1] - at["F₁′"][1]) > 14
+
+
 def test_principal_planes_belong_to_two_lenses():
     assert not [t for t in texts(RAYS(150, 60, rays.ONE, 30, 30).pictures[0]) if t.startswith("H")]
     planes = RAYS(150, 50, rays.SPREADING, 30, 30).pictures[0]

@@ -77,6 +77,8 @@ def test_right_answers_agree(compare, got, expected):
         (YesOrNo(), True, np.array([True, False]), "shape", "truth values of shape (2,)"),
         (YesOrNo(), False, True, "values", "The answer is not the right one."),
         (YesOrNo(), [True, True], np.array([True, False]), "values", "1 of 2 answers"),
+        (YesOrNo(), np.array("True"), True, "type", "The answer is a text"),
+        (YesOrNo(), np.array(["True"]), np.array([True]), "type", "an array of texts of shape"),
         (Exactly(), 1, "1", "type", "a text"),
         (Exactly(), "f/4", "f/8", "values", "not the right one"),
         (UpToScale(), [[-2, -4], [9, 12], [5, 6]], POINTS, "values", "not a multiple"),

@@ -124,7 +124,8 @@ def _sign_labels(camera: Camera, blurs: Floats) -> tuple[Label, ...]:
         middle = np.array([*foot[:2], VIEWPOINT[2]])
         (u, top), (_, bottom) = camera.project([middle + Z * half, middle - Z * half]).tolist()
         if 20 < u < SIZE[0] - 20:
-            labels.append(Label(f"{blur:.1f} px", (u, max(top - 9, 9)), role, "middle"))
+            digits = 2 if round(float(blur), 1) == 1 else 1  # on which side of one pixel?
+            labels.append(Label(f"{blur:.{digits}f} px", (u, max(top - 9, 9)), role, "middle"))
             labels.append(Label(f"{Z:g} m", (u, min(bottom + 9, SIZE[1] - 9)), "ink", "middle"))
     return tuple(labels)
 

@@ -59,7 +59,9 @@ def ray_tracer_frame(
     system = system_matrix(_elements(lenses))
     image, m = image_of_point(system, Z)
     focal, front, back = _cardinal(system)
-    lines, labels = _planes(front, lenses[-1][0] + back) if len(lenses) > 1 else ((), ())
+    lines, labels = (), ()
+    if len(lenses) > 1:
+        lines, labels = _planes(front, lenses[-1][0] + back, focal)
     drawing = Picture(
         "Rays of the arrow's tip",
         _in_words(Z, lenses, image, m),
@@ -183,13 +185,16 @@ def _shown(x: float) -> bool:
     return bool(np.isfinite(x)) and ENDS[0] + 8 < x < ENDS[1] - 8
 
 
-def _planes(front: float, back: float) -> tuple[tuple[Line, ...], tuple[Label, ...]]:
-    """Return the principal planes of a system, dashed, with their names."""
+def _planes(front: float, back: float, focal: float) -> tuple[tuple[Line, ...], tuple[Label, ...]]:
+    """Return the principal planes of a system, dashed, and its focal point, with their names."""
     lines, labels = [], []
     for x, name, lower in ((front, "H", 14), (back, "H′", 28)):
         if _shown(x):
             lines.append(Line(_pixels([(x, 36), (x, -36)]), "second", 1.8, dashed=True))
             labels.append(Label(name, _at(x, -36, 0, lower), "second", "middle"))
+    if _shown(back + focal):  # its name stands below that of an image
+        lines.append(Line(disc(_at(back + focal, 0), 4), "second", 1.0, closed=True, fill=1.0))
+        labels.append(Label("F′", _at(back + focal, 0, 0, 30), "second", "middle"))
     return tuple(lines), tuple(labels)
 
 
@@ -200,8 +205,7 @@ def _labels(
     f1 = lenses[0][1]
     labels = [
         _object_label(Z),
-        Label("F", _at(-f1, 0, 0, 16), "camera", "middle"),
-        Label("F′", _at(f1, 0, 0, 16), "camera", "middle"),
+        *_focal_labels(f1, len(lenses)),
         Label("lens 1" if len(lenses) > 1 else "lens", _at(0, RIM, 0, -14), "camera", "middle"),
         Label("heights are drawn 3 times as large as lengths", (8, SIZE[1] - 10), "guide"),
     ]
@@ -216,6 +220,15 @@ def _labels(
         tip = float(np.clip(HEIGHT * m, -46, 46))
         labels.append(Label(name, _at(place, tip, 0, 13 if m < 0 else -12), "image", "middle"))
     return tuple(labels)
+
+
+def _focal_labels(f1: float, count: int) -> list[Label]:
+    """Return the names of the first lens's focal points, of which a pair has its own."""
+    names, down = (("F", "F′"), 16) if count == 1 else (("F₁", "F₁′"), -14)
+    return [
+        Label(name, _at(x, 0, 0, down), "camera", "middle")
+        for x, name in zip((-f1, f1), names, strict=True)
+    ]
 
 
 def _object_label(Z: float) -> Label:
