@@ -16,13 +16,6 @@ LARGEST = 1e75
 #: Vectors that are shorter have no direction: the squares of such numbers get lost.
 SMALLEST = 1 / LARGEST
 
-#: What points are that spread in too few directions: in none, in one, in two.
-TOO_NARROW = (
-    "the same point: take points that differ",
-    "collinear: take some beside that line",
-    "coplanar: take some beside that plane",
-)
-
 
 class DegenerateConfigurationError(ValueError):
     """The data are well formed, but their geometry does not determine the answer."""
@@ -174,59 +167,6 @@ def check_matrix(value: ArrayLike, shape: tuple[int, int], name: str) -> Array:
     if array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
     return array
-
-
-def check_pairs(
-    points: ArrayLike,
-    targets: ArrayLike,
-    dimensions: tuple[int, int],
-    names: tuple[str, str],
-    least: int,
-) -> tuple[Array, Array]:
-    """Return points and what belongs to each of them: as many rows, and at least so many."""
-    one = check_points(points, dimensions[0], names[0])
-    other = check_points(targets, dimensions[1], names[1])
-    if one.ndim != 2 or other.ndim != 2 or len(one) != len(other):
-        raise ValueError(
-            f"{names[0]} and {names[1]} belong together row by row, got shapes {one.shape} and "
-            f"{other.shape}"
-        )
-    if len(one) < least:
-        raise ValueError(f"{least} {names[0]} or more are needed, got {len(one)}")
-    return one, other
-
-
-def check_spread(points: Array, directions: int, name: str) -> None:
-    """Raise unless points, shape (N, d), spread in so many directions (to seven digits)."""
-    centre = points.mean(axis=0)
-    check_scatter((points - centre).T @ (points - centre) / len(points), centre, directions, name)
-
-
-def check_scatter(scatter: Array, centre: Array, directions: int, name: str) -> None:
-    """Raise unless points spread in so many directions, judged by their mean squares.
-
-    Parameters
-    ----------
-    scatter : ndarray, shape (..., d, d)
-        Mean of the products of coordinates, counted from the centre.
-    centre : ndarray, shape (..., d)
-        Mean of the points.
-    directions : int
-        In how many directions they must spread.
-    name : str
-        What the caller calls the points.
-
-    Raises
-    ------
-    DegenerateConfigurationError
-        If the spread in a direction is less than 1e-7 of the largest, or rounding of the points.
-    """
-    squares = np.linalg.eigvalsh(scatter)[..., ::-1]
-    rounding = 1e-30 * (centre * centre).sum(axis=-1, keepdims=True)
-    wide = squares > np.maximum(1e-14 * squares[..., :1], rounding)
-    found = int(wide.sum(axis=-1).min())
-    if found < directions:
-        raise DegenerateConfigurationError(f"all {name} are {TOO_NARROW[found]}")
 
 
 def check_pixel_focal(value: ArrayLike, name: str) -> Array:

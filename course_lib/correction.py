@@ -1,4 +1,4 @@
-"""What a camera model leaves over, corrected afterwards: a table over the picture, or a polynomial.
+"""What a camera model leaves over, corrected afterwards by a table over the picture.
 
 A residual is measured minus computed, in px. Where residuals of many pictures agree, the model
 lacks something, and subtracting what they agree on helps. Where they do not, a correction only
@@ -8,38 +8,11 @@ learns the noise: points that were held out tell. Use these functions through
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import NamedTuple
-
 import numpy as np
-from numpy.random import Generator
 from numpy.typing import ArrayLike
 
-from course_lib.checks import Array, check_numbers, check_pairs, check_points, check_size
-from course_lib.linear_least_squares import solve_qr
-
-NAMES = ("pixels", "residuals")
-
-#: Takes pixels and residuals to learn from, and pixels; returns the residuals expected there.
-Corrector = Callable[[Array, Array, Array], Array]
-
-
-class HeldOut(NamedTuple):
-    """How large residuals are, as root mean squares over points, in px.
-
-    Attributes
-    ----------
-    before : float
-        Without a correction.
-    learned : float
-        With it, at the points that it was learned from: never a reason to trust it.
-    held_out : float
-        With it, at points that it has not seen.
-    """
-
-    before: float
-    learned: float
-    held_out: float
+from course_lib.checks import Array, check_numbers, check_points, check_size
+from course_lib.correspondences import check_correspondences
 
 
 def correction_table(
@@ -87,8 +60,8 @@ def correction_table(
     array([[1., 0.],
            [0., 3.]])
     """
-    pixels, residuals = check_pairs(pixels, residuals, (2, 2), NAMES, least=1)
-    size, (rows, columns) = check_size(image_size, "image_size"), _check_shape(shape)
+    pixels, residuals = check_residuals(pixels, residuals)
+    size, (rows, columns) = check_size(image_size, "image_size"), check_shape(shape)
     share = (pixels + 0.5) / size  # from 0 at one edge to 1 at the other
     if share.min() < 0 or share.max() > 1:
         raise ValueError(f"pixels must be in the picture of {image_size}, -0.5 to width - 0.5")
@@ -156,145 +129,16 @@ def correction_from_table(
     return np.asarray((1 - below) * upper + below * lower)
 
 
-def polynomial_correction(
-    pixels: ArrayLike, residuals: ArrayLike, image_size: tuple[int, int], degree: int
-) -> Array:
-    """Learn the polynomial over the picture that fits residuals best.
-
-    Parameters
-    ----------
-    pixels, residuals : array_like, shape (N, 2)
-        As in `correction_table`.
-    image_size : tuple of int
-        Width and height of the picture in px.
-    degree : int
-        Largest sum of the powers of u and v, 0 to 12: the larger, the more of the noise it fits.
-
-    Returns
-    -------
-    ndarray, shape (n, 2)
-        Coefficients for `correction_from_polynomial`; n = (degree + 1)(degree + 2)/2.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If a shape is wrong, a number is not finite, the degree is not one of those, or there are
-        fewer points than coefficients.
-    DegenerateConfigurationError
-        If the points do not determine the polynomial.
-
-    References
-    ----------
-    C. M. Bishop, Pattern Recognition and Machine Learning, section 1.1 (fitting and overfitting).
-    """
-    pixels, residuals = check_pairs(pixels, residuals, (2, 2), NAMES, least=1)
-    if degree not in range(13):
-        raise ValueError(f"degree must be a whole number from 0 to 12, got {degree!r}")
-    return solve_qr(_terms(pixels, image_size, degree), residuals)
-
-
-def correction_from_polynomial(
-    pixels: ArrayLike, coefficients: ArrayLike, image_size: tuple[int, int]
-) -> Array:
-    """Return the residuals that a polynomial expects at pixels.
-
-    Parameters
-    ----------
-    pixels : array_like, shape (N, 2) or (2,)
-        Where, ``(u, v)`` in rows.
-    coefficients : array_like, shape (n, 2)
-        From `polynomial_correction`.
-    image_size : tuple of int
-        Width and height of the picture in px.
-
-    Returns
-    -------
-    ndarray, shape (N, 2) or (2,)
-        What to subtract, px.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If a shape is wrong or a number is not finite.
-
-    References
-    ----------
-    As `polynomial_correction`.
-    """
-    pixels = check_points(pixels, 2, "pixels")
-    coefficients = check_points(coefficients, 2, "coefficients")
-    degree = round(np.sqrt(2 * len(coefficients) + 0.25) - 1.5)
-    if coefficients.ndim != 2 or len(coefficients) != (degree + 1) * (degree + 2) // 2:
-        raise ValueError(f"coefficients must be 1, 3, 6, 10 … rows, got {coefficients.shape}")
-    terms = _terms(pixels.reshape(-1, 2), image_size, degree)
-    return (terms @ coefficients).reshape(pixels.shape)
-
-
-def hold_out(
-    correct: Corrector, pixels: ArrayLike, residuals: ArrayLike, parts: int, rng: Generator
-) -> HeldOut:
-    """Judge a correction by points that it has not seen.
-
-    The points are dealt into parts; each part is corrected by what was learned from the others.
-
-    Parameters
-    ----------
-    correct : callable
-        Takes pixels and residuals to learn from, and other pixels; returns the residuals that it
-        expects there.
-    pixels, residuals : array_like, shape (N, 2)
-        As in `correction_table`.
-    parts : int
-        How many parts, from 2 to N.
-    rng : numpy.random.Generator
-        Deals the points.
-
-    Returns
-    -------
-    HeldOut
-        Root mean squares without and with the correction. It helps if `held_out` is below `before`.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If a shape is wrong, a number is not finite, or the number of parts is none of those.
-
-    References
-    ----------
-    T. Hastie, R. Tibshirani, J. Friedman, The Elements of Statistical Learning, 2nd ed., section
-    7.10 (cross-validation).
-    """
-    pixels, residuals = check_pairs(pixels, residuals, (2, 2), NAMES, least=2)
-    if parts not in range(2, len(pixels) + 1):
-        raise ValueError(f"parts must be from 2 to {len(pixels)}, the number of points: {parts!r}")
-    part = rng.permutation(np.arange(len(pixels)) % parts)
-    left = residuals - correct(pixels, residuals, pixels)
-    unseen = residuals.copy()
-    for number in range(parts):
-        out = part == number
-        unseen[out] -= correct(pixels[~out], residuals[~out], pixels[out])
-    return HeldOut(_rms(residuals), _rms(left), _rms(unseen))
-
-
-def _rms(residuals: Array) -> float:
-    return float(np.sqrt(np.mean((residuals**2).sum(axis=1))))
-
-
-def _terms(pixels: Array, image_size: tuple[int, int], degree: int) -> Array:
-    """Return the products of Legendre polynomials of u and v up to a degree, shape (N, n).
-
-    The picture is the square from -1 to 1, where these are nearly perpendicular.
-    """
-    x, y = (2 * (pixels + 0.5) / check_size(image_size, "image_size") - 1).T
-    along, down = (np.polynomial.legendre.legvander(a, degree) for a in (x, y))
-    powers = [(i, j) for i in range(degree + 1) for j in range(degree + 1 - i)]
-    return np.stack([along[:, i] * down[:, j] for i, j in powers], axis=1)
-
-
-def _check_shape(shape: tuple[int, int]) -> tuple[int, int]:
+def check_shape(shape: tuple[int, int]) -> tuple[int, int]:
+    """Return a grid's numbers of rows and columns, both one or more."""
     rows, columns = shape
     if not (isinstance(rows, int | np.integer) and isinstance(columns, int | np.integer)):
         raise TypeError(f"shape must be two whole numbers (rows, columns), got {shape!r}")
     if min(rows, columns) < 1:
         raise ValueError(f"shape must be one row and one column or more, got {shape!r}")
     return int(rows), int(columns)
+
+
+def check_residuals(pixels: ArrayLike, residuals: ArrayLike, least: int = 1) -> tuple[Array, Array]:
+    """Return pixels and what is left there, as many rows, and at least so many."""
+    return check_correspondences(pixels, residuals, (2, 2), ("pixels", "residuals"), least)

@@ -203,7 +203,7 @@ def apply_homography(points: ArrayLike, H: ArrayLike) -> Array:
     array([11., 22.])
     """
     points = check_points(points, 2, "points")
-    return from_homogeneous(to_homogeneous(points) @ _check_invertible(H).T)
+    return from_homogeneous(to_homogeneous(points) @ check_invertible(H).T)
 
 
 def map_lines(lines: ArrayLike, H: ArrayLike) -> Array:
@@ -237,7 +237,7 @@ def map_lines(lines: ArrayLike, H: ArrayLike) -> Array:
     >>> map_lines([1, 0, -2], [[1, 0, 10], [0, 1, 0], [0, 0, 1]])  # x = 2 becomes x = 12
     array([  1.,   0., -12.])
     """
-    return check_directions(lines, "lines") @ np.linalg.inv(_check_invertible(H))
+    return check_directions(lines, "lines") @ np.linalg.inv(check_invertible(H))
 
 
 def cross_ratio(points: ArrayLike) -> float:
@@ -282,7 +282,8 @@ def cross_ratio(points: ArrayLike) -> float:
     return float((c - a) * (d - b) / ((c - b) * (d - a)))
 
 
-def _check_invertible(H: ArrayLike) -> Array:
+def check_invertible(H: ArrayLike) -> Array:
+    """Return `H`, shape (3, 3), once it is sure to map the plane to a plane."""
     H = check_matrix(H, (3, 3), "H")
     sizes = np.linalg.svd(H, compute_uv=False)
     if sizes[2] <= 1e-14 * sizes[0]:

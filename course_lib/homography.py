@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.checks import Array, check_pairs, check_rows, check_spread
+from course_lib.checks import Array, check_rows
+from course_lib.correspondences import check_plane_pairs, check_spread
 from course_lib.homogeneous import apply_homography
 from course_lib.homography_fit import (
     check_plane_kept,
@@ -111,9 +112,7 @@ def homography_dlt(points: ArrayLike, targets: ArrayLike) -> Array:
            [0., 3., 0.],
            [0., 0., 1.]])
     """
-    points, targets = check_pairs(points, targets, (2, 2), ("points", "targets"), least=4)
-    for array, name in ((points, "points"), (targets, "targets")):
-        check_spread(array, 2, name)
+    points, targets = check_plane_pairs(points, targets)
     near_points, T_points = normalise_points(points)
     near_targets, T_targets = normalise_points(targets)
     (u, v), (x, y) = near_points.T, near_targets.T

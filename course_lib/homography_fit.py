@@ -16,9 +16,8 @@ from course_lib.checks import (
     DegenerateConfigurationError,
     check_matrix,
     check_numbers,
-    check_pairs,
-    check_scatter,
 )
+from course_lib.correspondences import check_correspondences, check_plane_pairs, check_scatter
 
 #: A step that promises to lower the sum of squares by less than this share is the last one.
 LAST_GAIN = 1e-8
@@ -73,7 +72,7 @@ def fit_homography(points: ArrayLike, targets: ArrayLike) -> Array:
            [0., 3., 0.],
            [0., 0., 1.]])
     """
-    points, targets = check_pairs(points, targets, (2, 2), ("points", "targets"), least=4)
+    points, targets = check_correspondences(points, targets, (2, 2), ("points", "targets"), least=4)
     return np.asarray(fit_homographies(points, targets[None])[0])
 
 
@@ -147,7 +146,7 @@ def refine_homography(H: ArrayLike, points: ArrayLike, targets: ArrayLike) -> Ar
     Hartley & Zisserman, Multiple View Geometry, 2nd ed., section 4.5.
     """
     H = check_matrix(H, (3, 3), "H")
-    points, targets = check_pairs(points, targets, (2, 2), ("points", "targets"), least=4)
+    points, targets = check_plane_pairs(points, targets)
     p, T_points = _normalised(points, "points")
     q, T_targets = _normalised(targets, "targets")
     start = (T_targets @ H @ np.linalg.inv(T_points))[None]

@@ -9,12 +9,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.checks import (
-    SMALLEST,
-    Array,
-    DegenerateConfigurationError,
-    check_numbers,
-    check_pairs,
+from course_lib.checks import SMALLEST, Array, DegenerateConfigurationError
+from course_lib.correspondences import (
+    check_correspondences,
+    check_number_pairs,
     check_spread,
 )
 from course_lib.levenberg_marquardt import Fit, levenberg_marquardt
@@ -77,8 +75,8 @@ def solve_one_unknown(a: ArrayLike, b: ArrayLike) -> float:
     >>> solve_one_unknown([1, 1], [10, 20])  # two measurements of one length: their mean
     15.0
     """
-    a, b = _check_pair(a, b, "a", "b")
-    if np.abs(a).max() < SMALLEST:
+    a, b = check_number_pairs(a, b, ("a", "b"))
+    if np.abs(a).max() < SMALLEST:  # as good as zero
         raise DegenerateConfigurationError("all numbers of a are zero: x may be anything")
     return float(a @ b / (a @ a))
 
@@ -113,7 +111,7 @@ def fit_line(x: ArrayLike, y: ArrayLike) -> tuple[float, float]:
     >>> round(slope, 9), round(intercept, 9)
     (2.0, 1.0)
     """
-    x, y = _check_pair(x, y, "x", "y", least=2)
+    x, y = check_number_pairs(x, y, ("x", "y"), least=2)
     if np.ptp(x) <= 1e-12 * np.abs(x).max():
         raise DegenerateConfigurationError(
             "all x are the same, so there is no slope: measure at different x"
@@ -156,27 +154,8 @@ def fit_affine(points: ArrayLike, targets: ArrayLike) -> Array:
     array([[ 2.,  0., 10.],
            [ 0.,  3., 20.]])
     """
-    points, targets = check_pairs(points, targets, (2, 2), ("points", "targets"), least=3)
+    points, targets = check_correspondences(points, targets, (2, 2), ("points", "targets"), least=3)
     check_spread(points, 2, "points")
     X = np.concatenate([points, np.ones_like(points[:, :1])], axis=1)  # a row (u, v, 1) each
     # Two problems with the same left side: one for x, one for y.
     return solve_qr(X, targets).T
-
-
-def _check_pair(
-    one: ArrayLike, other: ArrayLike, name: str, other_name: str, least: int = 1
-) -> tuple[Array, Array]:
-    """Return two rows of as many numbers."""
-    one, other = check_numbers(one, name), check_numbers(other, other_name)
-    if one.ndim != 1 or other.ndim != 1:
-        raise ValueError(
-            f"{name} and {other_name} must be rows of numbers, got shapes {one.shape} and "
-            f"{other.shape}"
-        )
-    if len(one) != len(other):
-        raise ValueError(
-            f"{name} and {other_name} belong together in pairs, got {len(one)} and {len(other)}"
-        )
-    if len(one) < least:
-        raise ValueError(f"{name} must be {least} numbers or more, got {len(one)}")
-    return one, other

@@ -11,21 +11,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.checks import (
-    Array,
-    DegenerateConfigurationError,
-    check_pairs,
-    check_spread,
-)
-from course_lib.correction import (
+from course_lib.checks import Array, DegenerateConfigurationError
+from course_lib.correction import correction_from_table, correction_table
+from course_lib.correspondences import check_space_pairs
+from course_lib.homography import normalise_points
+from course_lib.learned_correction import (
     HeldOut,
     correction_from_polynomial,
-    correction_from_table,
-    correction_table,
     hold_out,
     polynomial_correction,
 )
-from course_lib.homography import normalise_points
 from course_lib.levenberg_marquardt import levenberg_marquardt
 from course_lib.linear_least_squares import solve_homogeneous, solve_qr
 from course_lib.projection import decompose_projection
@@ -43,8 +38,6 @@ __all__ = [
     "hold_out",
     "polynomial_correction",
 ]
-
-NAMES = ("points", "pixels")
 
 
 class CameraFit(NamedTuple):
@@ -105,7 +98,7 @@ def camera_dlt(points: ArrayLike, pixels: ArrayLike) -> Array:
            [  0., 800.,   0.,   0.],
            [  0.,   0.,   1.,   5.]])
     """
-    points, pixels = _check_resection(points, pixels)
+    points, pixels = check_space_pairs(points, pixels)
     near_points, T_points = normalise_points(points)
     near_pixels, T_pixels = normalise_points(pixels)
     X = np.concatenate([near_points, np.ones_like(points[:, :1])], axis=1)
@@ -114,7 +107,7 @@ def camera_dlt(points: ArrayLike, pixels: ArrayLike) -> Array:
     rows_u = np.concatenate([X, zero, -u * X], axis=1)
     rows_v = np.concatenate([zero, X, -v * X], axis=1)
     P = solve_homogeneous(np.concatenate([rows_u, rows_v])).reshape(3, 4)
-    return _with_depths(np.linalg.inv(T_pixels) @ P @ T_points)
+    return with_depths(np.linalg.inv(T_pixels) @ P @ T_points)
 
 
 def dlt_parameters(points: ArrayLike, pixels: ArrayLike) -> Array:
@@ -154,7 +147,7 @@ def dlt_parameters(points: ArrayLike, pixels: ArrayLike) -> Array:
     >>> dlt_parameters(cube, 100 * cube[:, :2] / (cube[:, 2:] + 1)).round(6) + 0.0
     array([100.,   0.,   0.,   0.,   0., 100.,   0.,   0.,   0.,   0.,   1.])
     """
-    points, pixels = _check_resection(points, pixels)
+    points, pixels = check_space_pairs(points, pixels)
     X = np.concatenate([points, np.ones_like(points[:, :1])], axis=1)
     u, v = pixels[:, :1], pixels[:, 1:]
     zero = np.zeros_like(X)
@@ -188,7 +181,7 @@ def fit_camera(points: ArrayLike, pixels: ArrayLike) -> CameraFit:
     Hartley & Zisserman, Multiple View Geometry, 2nd ed., algorithm 7.1.
     """
     start = camera_dlt(points, pixels)
-    points, pixels = _check_resection(points, pixels)
+    points, pixels = check_space_pairs(points, pixels)
     near_points, T_points = normalise_points(points)
     near_pixels, T_pixels = normalise_points(pixels)
     X = np.concatenate([near_points, np.ones_like(points[:, :1])], axis=1)
@@ -205,7 +198,7 @@ def fit_camera(points: ArrayLike, pixels: ArrayLike) -> CameraFit:
     slopes = -np.kron(np.linalg.inv(M), np.append(centre, 1))
     scale = T_points[0, 0]
     return CameraFit(
-        _with_depths(np.linalg.inv(T_pixels) @ P @ T_points),
+        with_depths(np.linalg.inv(T_pixels) @ P @ T_points),
         fit.residuals[:-1].reshape(-1, 2) / T_pixels[0, 0],
         (centre - T_points[:3, 3]) / scale,
         slopes @ fit.covariance @ slopes.T / scale**2,
@@ -224,7 +217,7 @@ def _reprojection(P: Array, X: Array, pixels: Array) -> tuple[Array, Array]:
     return residuals, np.concatenate([rows, 2 * P.reshape(1, 12)])
 
 
-def _with_depths(P: Array) -> Array:
+def with_depths(P: Array) -> Array:
     """Return a camera matrix whose third row is the depth: ``K [R | t]`` of a finite camera."""
     length = np.linalg.norm(P[2, :3])
     if length <= 1e-12 * np.linalg.norm(P[2]):
@@ -232,10 +225,3 @@ def _with_depths(P: Array) -> Array:
             "the camera sees along parallel rays: its centre is at infinity, and there is no depth"
         )
     return np.asarray(P * (1 if np.linalg.det(P[:, :3]) > 0 else -1) / length)
-
-
-def _check_resection(points: ArrayLike, pixels: ArrayLike) -> tuple[Array, Array]:
-    points, pixels = check_pairs(points, pixels, (3, 2), NAMES, least=6)
-    check_spread(points, 3, "points")
-    check_spread(pixels, 2, "pixels")
-    return points, pixels

@@ -4,7 +4,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from course_lib import correction
+from course_lib import correction, learned_correction
 from course_lib.resection import (
     correction_from_polynomial,
     correction_from_table,
@@ -164,5 +164,6 @@ class TestHoldOut:
             hold_out(partial(by_table, (2, 2)), *measured(count=5), 6, np.random.default_rng(1))
 
 
-def test_examples_run():
-    assert doctest.testmod(correction).failed == 0
+@pytest.mark.parametrize("module", [correction, learned_correction])
+def test_examples_run(module):
+    assert doctest.testmod(module).failed == 0

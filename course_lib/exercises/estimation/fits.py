@@ -166,11 +166,11 @@ FIT_AFFINE = Exercise(
         ),
         Misconception(
             wrong.rows_exchanged,
-            "Which row of A makes u, the first coordinate of a target?",
+            "Which row of A makes the first coordinate of a target?",
         ),
         Misconception(
             wrong.coordinates_exchanged,
-            "Your columns begin with y. Which coordinate of a point comes first?",
+            "Your columns begin with the second coordinate of the points. Which one comes first?",
         ),
         Misconception(
             wrong.square_matrix,

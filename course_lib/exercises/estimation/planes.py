@@ -139,7 +139,7 @@ HOMOGRAPHY_DLT = Exercise(
         ),
         Misconception(
             wrong.only_the_points_normalised,
-            "You normalised the points. Are the pixels already numbers of about 1?",
+            "You normalised the points. Are the targets already numbers of about 1?",
         ),
         Misconception(
             wrong.still_normalised,
