@@ -59,9 +59,8 @@ def ray_tracer_frame(
     system = system_matrix(_elements(lenses))
     image, m = image_of_point(system, Z)
     focal, front, back = _cardinal(system)
-    lines, labels = (), ()
-    if len(lenses) > 1:
-        lines, labels = _planes(front, lenses[-1][0] + back, focal)
+    planes = _planes(front, lenses[-1][0] + back, focal)
+    lines, labels = planes if len(lenses) > 1 else ((), ())
     drawing = Picture(
         "Rays of the arrow's tip",
         _in_words(Z, lenses, image, m),
