@@ -1,5 +1,6 @@
 """The figures of chapter 05: each draws, says what its axes are, and shows the right thing."""
 
+import cv2
 import matplotlib as mpl
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ mpl.use("Agg")  # as a test has no screen
 
 from course_lib import distortion
 from course_lib.drawing import distortion as draw
-from course_lib.drawing.distortion import boards, fisheye, mapping, models, pictures
+from course_lib.drawing.distortion import boards, fisheye, mapping, models, pictures, real_fisheye
 from course_lib.drawing.style import BLACK, ROLES
 from data_generators import rails
 
@@ -44,6 +45,7 @@ FIGURES = {
     "before_and_after part": lambda: draw.before_and_after(*straightened(), part=(340, 639)),
     "bent_lines": lambda: bent(np.arange(15) / 9),
     "displacement_fields": draw.displacement_fields,
+    "fisheye_photograph": draw.fisheye_photograph,
     "fisheye_street": lambda: draw.fisheye_street(np.full((5, 2), 200.0)),
     "forward_and_backward": draw.forward_and_backward,
     "iterations": draw.iterations,
@@ -324,6 +326,43 @@ def test_the_circle_of_the_fisheye_is_filled_and_the_rest_is_black():
     black = (picture == 0).all(axis=2)
     assert black[r > 201].all()
     assert black[r < 199].mean() < 0.001
+
+
+def test_published_fisheye_in_the_form_of_kannala_and_brandt():
+    K, k = real_fisheye.kannala_brandt()
+    angle = np.radians([5.0, 30, 60, 85, 90])
+    rays = np.stack([np.sin(angle), np.zeros(5), np.cos(angle)], axis=1)
+    pixels = distortion.fisheye_project(rays, K, k)
+    # Mei and Rives: onto the unit sphere, then from a point ξ behind its centre.
+    m = rays[:, 0] / (rays[:, 2] + 1.1331347)
+    expected = 398.7722 * m * (1 - 0.2497210 * m**2 + 0.0096723 * m**4) + 319.1788
+    np.testing.assert_allclose(pixels[:, 0], expected, atol=1e-3)
+
+
+def test_a_pinhole_view_looks_along_its_rays():
+    picture, K, k, _ = real_fisheye.fisheye_camera()
+    view = real_fisheye.pinhole_view(np.radians(100)).astype(float)
+    smooth = cv2.blur(np.ascontiguousarray(picture), (3, 3)).astype(float)
+    f, middle = 180 / np.tan(np.radians(50)), 179.5
+    rng = np.random.default_rng(8)
+    pixels = rng.integers(30, 330, (300, 2))
+    rays = np.column_stack([(pixels - middle) / f, np.ones(300)])
+    u, v = np.rint(distortion.fisheye_project(rays, K, k)).astype(int).T
+    off = np.abs(view[pixels[:, 1], pixels[:, 0]] - smooth[v, u]).max(axis=1)
+    assert np.median(off) < 10
+
+
+def test_without_a_network_the_street_is_taken(monkeypatch):
+    def gone(name):
+        raise real_fisheye.data.Unavailable("not here")
+
+    monkeypatch.setattr(real_fisheye.data, "fetch", gone)
+    real_fisheye.fisheye_camera.cache_clear()
+    try:
+        figure = draw.fisheye_photograph()
+    finally:
+        real_fisheye.fisheye_camera.cache_clear()
+    assert figure.axes[0].get_title(loc="left") == "Fisheye (computed)"
 
 
 def test_things_are_marked_where_the_street_shows_them():

@@ -13,6 +13,7 @@ from course_lib.drawing.distortion.mapping import (
 )
 from course_lib.drawing.distortion.models import barrel_and_pincushion, profiles, where_it_acts
 from course_lib.drawing.distortion.rails import rails, straightened_rails
+from course_lib.drawing.distortion.real_fisheye import fisheye_photograph
 
 __all__ = [
     "angles",
@@ -20,6 +21,7 @@ __all__ = [
     "before_and_after",
     "bent_lines",
     "displacement_fields",
+    "fisheye_photograph",
     "fisheye_street",
     "forward_and_backward",
     "iterations",
