@@ -249,7 +249,7 @@ def _names() -> tuple[Label, ...]:
     return (
         Label("plane w = 1", _pair(top), "guide", "middle"),
         Label("origin", _pair(origin), "ink"),
-        Label("line at infinity", _pair(infinity), "ink", "middle"),
+        Label("line at infinity", _pair(infinity), "second", "middle"),
     )
 
 
