@@ -260,6 +260,13 @@ def test_words_on_the_dark_picture_lie_on_light_paper():
         assert (picture.image[v - 5 : v + 5, reach] > 200).all(), label.text
 
 
+def test_a_spot_that_fills_the_picture_is_said_to():
+    for pitch, wide in ((3.5, True), (13.5, False)):
+        point = WINDOW(2.8, 85, 2, 0.5, pitch).pictures[1]
+        assert ("is wider than this picture" in texts(point)) is wide
+        assert bool(point.image[60:200].min() > 200) is wide  # all of it is light
+
+
 def test_curves_run_through_the_marked_point():
     picture = WINDOW(8, 85, 2, 0.5, 13.5).pictures[0]
     total, dot = np.asarray(picture.lines[5].points), np.asarray(picture.lines[7].points)

@@ -35,6 +35,7 @@ CELL = 22  # px of the drawing for a pixel of the sensor: 12 of them in the pict
 CHART = 88  # px of the sensor for the letter chart, each drawn 3 px wide
 FINE = 3  # subpixels of the chart, both ways
 NOTES = (np.s_[4:44, 4:92], np.s_[-24:-4, -128:-4])  # light paper under the words
+TOO_WIDE = (("the spot of defocus", 190), ("is wider than this picture", 208))  # and where, px
 FINEST = 4.0  # periods a pixel: the finest detail of the point's image that is drawn
 
 
@@ -177,6 +178,7 @@ def _point(blur: Blur, mm: float) -> Picture:
         for radius, role in zip(radii, ("ray", "image"), strict=True)
         if radius < 0.7 * SIDE
     ]
+    wide = [Label(text, (SIDE / 2, v), "ink", "middle") for text, v in TOO_WIDE]
     return Picture(
         "A point at the ends",
         f"The light of one point: a circle of confusion of {blur.defocus / mm:.1f} px and an Airy "
@@ -188,6 +190,7 @@ def _point(blur: Blur, mm: float) -> Picture:
             Label("defocus", (10, 14), "ray"),
             Label("diffraction", (10, 32), "image"),
             Label("1 square = 1 pixel", (SIDE - 10, SIDE - 12), "ink", "end"),
+            *(wide if radii[0] >= 0.7 * SIDE else ()),
         ),
     )
 
