@@ -59,6 +59,12 @@ ADVICE = (
         "too many indices",
         "The array has fewer axes than that. With `…[..., 0]` a single point works like rows.",
     ),
+    (
+        "AxisError",
+        "out of bounds",
+        "There is no such axis. A mask of pixels, as in `a[a < 5]`, leaves one long row: to keep "
+        "whole pictures, use one True or False for each of them.",
+    ),
     ("IndexError", "", "There are fewer entries than the index needs; the first has index 0."),
     ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
     (

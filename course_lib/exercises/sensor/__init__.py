@@ -1,19 +1,20 @@
 """Chapter 04: the exercises on exposure, the sensor, colour and illumination."""
 
+from course_lib.exercises.sensor.colours import BAYER_MOSAIC, DEMOSAIC_BILINEAR
 from course_lib.exercises.sensor.light import (
     EQUIVALENT_EXPOSURE,
     EXPOSURE_VALUE,
-    MOTION_BLUR_PIXELS,
-    ROLLING_SHUTTER_SKEW,
     SENSOR_RESPONSE,
     SIGNAL_TO_NOISE,
+)
+from course_lib.exercises.sensor.motion import (
+    MOTION_BLUR_PIXELS,
+    ROLLING_SHUTTER_SKEW,
     STRIPE_HEIGHT,
 )
 from course_lib.exercises.sensor.pictures import (
-    BAYER_MOSAIC,
     CAMERA_GAIN_FROM_PAIRS,
     CLIPPED_FRACTION,
-    DEMOSAIC_BILINEAR,
     EXPLAIN_UNDER_OR_OVER,
     FLAT_FIELD,
     SILHOUETTE_AREA,

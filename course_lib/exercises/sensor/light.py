@@ -1,8 +1,8 @@
-"""Exercises of chapter 04 on light: exposure, electrons and their noise, motion, stripes."""
+"""Exercises of chapter 04 on light: exposure, electrons and their noise."""
 
 from __future__ import annotations
 
-from course_lib import illumination, sensor
+from course_lib import sensor
 from course_lib.exercises.sensor import light_inputs as inputs
 from course_lib.exercises.sensor import light_misconceptions as wrong
 from course_lib.judging import Exercise, Misconception, Part
@@ -62,6 +62,11 @@ EQUIVALENT_EXPOSURE = Exercise(
     },
     misconceptions=[
         Misconception(
+            wrong.number_of_stops,
+            "That counts stops. To which time, in seconds, do they lead?",
+            also=[wrong.number_of_stops_backwards],
+        ),
+        Misconception(
             wrong.aperture_not_squared,
             "From f/4 to f/8 the opening is half as wide. What happens to its area?",
         ),
@@ -99,6 +104,24 @@ SENSOR_RESPONSE = Exercise(
         "numbers that come to their end": Part(inputs.last_number, weight=1.25),
     },
     misconceptions=[
+        Misconception(
+            wrong.never_clipped,
+            "Ten times the light, again and again: does your number ever stop? What fills up "
+            "on the way?",
+            also=[wrong.never_clipped_without_dark],
+        ),
+        Misconception(
+            wrong.photons_fill_the_well,
+            "What collects in the well: photons, or the electrons that they set free?",
+        ),
+        Misconception(
+            wrong.dark_needs_efficiency,
+            "The dark current is given in electrons. Does the quantum efficiency act on those?",
+        ),
+        Misconception(
+            wrong.always_12_bits,
+            "Not every camera has 12 bits. Which entry of its data sheet is the largest number?",
+        ),
         Misconception(
             wrong.every_photon_counts,
             "Does each photon set an electron free? Which number of the data sheet says so?",
@@ -150,6 +173,15 @@ SIGNAL_TO_NOISE = Exercise(
     },
     misconceptions=[
         Misconception(
+            wrong.dark_current_for_dark_electrons,
+            "The dark current is given per second. For how many seconds does it flow here?",
+        ),
+        Misconception(
+            wrong.rounding_in_numbers,
+            "All other noises are in electrons. In which unit do you add that of rounding?",
+            also=[wrong.rounding_of_0_29],
+        ),
+        Misconception(
             wrong.deviations_added,
             "The sources do not know of each other. Which of their quantities may be added up?",
         ),
@@ -189,112 +221,5 @@ SIGNAL_TO_NOISE = Exercise(
             "One step of these numbers is many electrons. Is rounding to whole steps exact?",
         ),
         Misconception(wrong.in_decibels, "Is a plain ratio asked for, or its logarithm?"),
-    ],
-)
-
-MOTION_BLUR_PIXELS = Exercise(
-    "sensor",
-    sensor.motion_blur_pixels,
-    points=3,
-    parts={
-        "a part on a belt (mm)": inputs.part_on_a_belt,
-        "a drone above the ground (m)": inputs.drone,
-        "several speeds at once": inputs.several_speeds,
-    },
-    misconceptions=[
-        Misconception(
-            wrong.length_on_the_object,
-            "That is how far the object moves, as a length. How many pixels does it cover?",
-        ),
-        Misconception(
-            wrong.pixel_size_multiplied,
-            "With finer pixels the same way covers more of them. Does your result grow then?",
-        ),
-        Misconception(wrong.divided_by_time, "Does a shorter exposure smear more, or less?"),
-        Misconception(
-            wrong.pixels_upside_down,
-            "Let the object stand still. How long is the smear, and what do you get?",
-        ),
-        Misconception(
-            wrong.only_half_of_it,
-            "From where does the smear start, and where does it end? Measure its whole length.",
-        ),
-    ],
-)
-
-ROLLING_SHUTTER_SKEW = Exercise(
-    "sensor",
-    sensor.rolling_shutter_skew,
-    points=3,
-    parts={
-        "an edge that moves to the right": inputs.to_the_right,
-        "an edge that moves to the left": inputs.to_the_left,
-        "several edges at once": inputs.several_edges,
-    },
-    misconceptions=[
-        Misconception(
-            wrong.one_row_only,
-            "That is the step from one row to the next. How many such steps lead to the bottom?",
-        ),
-        Misconception(
-            wrong.divided_by_row_time,
-            "Suppose the sensor reads faster. Should the picture lean more, or less?",
-        ),
-        Misconception(
-            wrong.direction_lost,
-            "An edge that moves to the left: to which side does it lean?",
-        ),
-        Misconception(
-            wrong.leans_backwards,
-            "The bottom is read last. Has the edge moved on by then, or back?",
-        ),
-        Misconception(
-            wrong.time_per_picture,
-            "The time is given for one row. Do you need the time of the whole edge, or a part?",
-        ),
-    ],
-)
-
-STRIPE_HEIGHT = Exercise(
-    "sensor",
-    illumination.stripe_height,
-    parts={
-        "the camera looks straight down": Part(inputs.straight_down, weight=2),
-        "the camera looks from the side": Part(inputs.from_the_side, weight=1),
-        "a profile with hollows": Part(inputs.profile, weight=1),
-    },
-    misconceptions=[
-        Misconception(
-            wrong.angle_from_the_table,
-            "Light from straight above moves no stripe at all. Which angle is zero then?",
-        ),
-        Misconception(
-            wrong.sine_for_tangent,
-            "Draw the triangle of height, shift and light. Which two of its sides do you know of?",
-        ),
-        Misconception(
-            wrong.camera_left_out,
-            "Look at a tower from the side: where on the ground does its top seem to be?",
-        ),
-        Misconception(
-            wrong.camera_on_the_light_side,
-            "Light and camera stand on opposite sides. Do their two shifts add up, or cancel?",
-        ),
-        Misconception(
-            wrong.tangent_of_the_sum,
-            "There are two triangles, one for the light, one for the camera. What is in each?",
-        ),
-        Misconception(
-            wrong.tangent_multiplied,
-            "The flatter the light, the farther it moves for the same height. Does yours?",
-        ),
-        Misconception(
-            wrong.angle_in_degrees,
-            "Which unit does `np.tan` want, and which one do you give it?",
-        ),
-        Misconception(
-            wrong.radians_of_radians,
-            "You convert the angles. In which unit do they come into your function?",
-        ),
     ],
 )

@@ -111,7 +111,8 @@ def full_pixels(rng: Generator) -> Inputs:
 
 def last_number(rng: Generator) -> Inputs:
     """Draw numbers that end long before the well is full, as at a high ISO speed."""
-    return too_bright(rng, full_well=20_000.0, gain=0.55, bits=12)
+    bits = int(rng.choice([13, 14]))
+    return too_bright(rng, full_well=20_000.0, gain=0.55 * 2 ** (bits - 12), bits=bits)
 
 
 def light_rules(rng: Generator) -> Inputs:

@@ -1,6 +1,8 @@
-"""Wrong answers to the exercises of chapter 04 on exposure, electrons, motion and stripes."""
+"""Wrong answers to the exercises of chapter 04 on exposure and electrons."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 
@@ -66,6 +68,14 @@ def speed_left_out(t, N, N_new, iso=100, iso_new=100):
     return t * (N_new / N) ** 2
 
 
+def number_of_stops(t, N, N_new, iso=100, iso_new=100):
+    return 2 * np.log2(N_new / N) - np.log2(iso_new / iso)
+
+
+def number_of_stops_backwards(t, N, N_new, iso=100, iso_new=100):
+    return np.log2(iso_new / iso) - 2 * np.log2(N_new / N)
+
+
 def stops_added(t, N, N_new, iso=100, iso_new=100):
     return t + 2 * np.log2(N_new / N) - np.log2(iso_new / iso)
 
@@ -98,6 +108,33 @@ def divided_by_gain(photons, camera, exposure_time=0.0):
 def numbers_without_end(photons, camera, exposure_time=0.0):
     electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
     return camera.gain * np.minimum(electrons, camera.full_well) + camera.offset
+
+
+def never_clipped(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    return camera.gain * electrons + camera.offset
+
+
+def never_clipped_without_dark(photons, camera, exposure_time=0.0):
+    return camera.gain * camera.quantum_efficiency * photons + camera.offset
+
+
+def photons_fill_the_well(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * np.minimum(photons, camera.full_well)
+    electrons = electrons + camera.dark_current * exposure_time
+    return np.minimum(camera.gain * electrons + camera.offset, camera.white)
+
+
+def dark_needs_efficiency(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * (photons + camera.dark_current * exposure_time)
+    electrons = np.minimum(electrons, camera.full_well)
+    return np.minimum(camera.gain * electrons + camera.offset, camera.white)
+
+
+def always_12_bits(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    electrons = np.minimum(electrons, camera.full_well)
+    return np.minimum(camera.gain * electrons + camera.offset, 4095)
 
 
 def clipped_too_early(photons, camera, exposure_time=0.0):
@@ -182,89 +219,29 @@ def rounding_left_out(photons, camera, exposure_time=0.0):
     return signal / np.sqrt(signal + camera.dark_current * exposure_time + camera.read_noise**2)
 
 
+def dark_current_for_dark_electrons(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    noise = signal + camera.dark_current + camera.read_noise**2 + camera.quantisation_noise**2
+    return signal / np.sqrt(noise)
+
+
+def rounding_in_numbers(photons, camera, exposure_time=0.0):
+    return with_rounding(photons, camera, exposure_time, 1 / np.sqrt(12))
+
+
+def with_rounding(photons: Any, camera: Any, exposure_time: float, step: float) -> Any:
+    """Return the ratio with another noise of rounding."""
+    signal = camera.quantum_efficiency * photons
+    dark = camera.dark_current * exposure_time
+    return signal / np.sqrt(signal + dark + camera.read_noise**2 + step**2)
+
+
+def rounding_of_0_29(photons, camera, exposure_time=0.0):
+    return with_rounding(photons, camera, exposure_time, 0.29)
+
+
 def in_decibels(photons, camera, exposure_time=0.0):
     signal = camera.quantum_efficiency * photons
     dark = camera.dark_current * exposure_time
     noise = signal + dark + camera.read_noise**2 + camera.quantisation_noise**2
     return 20 * np.log10(signal / np.sqrt(noise))
-
-
-# --- motion_blur_pixels -----------------------------------------------------------------------
-
-
-def length_on_the_object(speed, exposure_time, pixel_size):
-    return speed * exposure_time
-
-
-def pixel_size_multiplied(speed, exposure_time, pixel_size):
-    return speed * exposure_time * pixel_size
-
-
-def divided_by_time(speed, exposure_time, pixel_size):
-    return speed / exposure_time / pixel_size
-
-
-def pixels_upside_down(speed, exposure_time, pixel_size):
-    return pixel_size / (speed * exposure_time)
-
-
-def only_half_of_it(speed, exposure_time, pixel_size):
-    return speed * exposure_time / pixel_size / 2
-
-
-# --- rolling_shutter_skew ---------------------------------------------------------------------
-
-
-def one_row_only(speed, row_time, rows):
-    return speed * row_time
-
-
-def divided_by_row_time(speed, row_time, rows):
-    return speed / row_time * rows
-
-
-def direction_lost(speed, row_time, rows):
-    return np.abs(speed) * row_time * rows
-
-
-def leans_backwards(speed, row_time, rows):
-    return -speed * row_time * rows
-
-
-def time_per_picture(speed, row_time, rows):
-    return speed * row_time / rows
-
-
-# --- stripe_height ----------------------------------------------------------------------------
-
-
-def angle_from_the_table(shift, light_angle, camera_angle=0.0):
-    return shift / (np.tan(np.pi / 2 - light_angle) + np.tan(camera_angle))
-
-
-def sine_for_tangent(shift, light_angle, camera_angle=0.0):
-    return shift / (np.sin(light_angle) + np.sin(camera_angle))
-
-
-def camera_left_out(shift, light_angle, camera_angle=0.0):
-    return shift / np.tan(light_angle)
-
-
-def camera_on_the_light_side(shift, light_angle, camera_angle=0.0):
-    return shift / (np.tan(light_angle) - np.tan(camera_angle))
-
-
-def tangent_of_the_sum(shift, light_angle, camera_angle=0.0):
-    return shift / np.tan(light_angle + camera_angle)
-
-
-def tangent_multiplied(shift, light_angle, camera_angle=0.0):
-    return shift * (np.tan(light_angle) + np.tan(camera_angle))
-
-
-def angle_in_degrees(shift, light_angle, camera_angle=0.0):
-    return shift / (np.tan(np.degrees(light_angle)) + np.tan(np.degrees(camera_angle)))
-
-
-def radians_of_radians(shift, light_angle, camera_angle=0.0):
-    return shift / (np.tan(np.radians(light_angle)) + np.tan(np.radians(camera_angle)))

@@ -9,13 +9,13 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 from course_lib.judging import Known
-from course_lib.sensor import SensorModel, expose
+from course_lib.sensor import SensorModel, expose_with_field
 
 Inputs = dict[str, Any]
 
 # --- camera_gain_from_pairs -------------------------------------------------------------------
 
-PIXELS = (100, 120)
+PIXELS = (24, 32)
 SHARES = np.array([0.08, 0.18, 0.3, 0.42, 0.55])
 
 
@@ -24,7 +24,7 @@ def pairs(rng: Generator, shares: Any) -> Known:
 
     The surface is not quite even and the pixels differ: 14 %, the same in both pictures of a pair.
     """
-    sensor = SensorModel(
+    camera = SensorModel(
         quantum_efficiency=0.6,
         full_well=30_000.0,
         read_noise=float(rng.uniform(3, 8)),
@@ -33,18 +33,36 @@ def pairs(rng: Generator, shares: Any) -> Known:
         offset=float(rng.integers(90, 140)),
         bits=10,
     )
-    uneven = 1 + 0.14 * rng.standard_normal(PIXELS)
-    levels = np.asarray(shares) * sensor.saturation / sensor.quantum_efficiency
-    photons = levels[:, None, None] * uneven
-    dark = np.zeros(PIXELS)
+    uneven = 1 + 0.14 * standardised(rng, 1)[0]
+    levels = np.asarray(shares) * camera.saturation / camera.quantum_efficiency
+    photons = np.concatenate([levels[:, None, None] * uneven, np.zeros((1, *PIXELS))])
+    noise = standardised(rng, 2 * len(photons)).reshape(2, *photons.shape)
+    noise[1] = standardised_difference(*noise)
+    first, second = (expose_with_field(photons, camera, field) for field in noise)
     inputs = {
-        "first": expose(photons, sensor, rng),
-        "second": expose(photons, sensor, rng),
-        "dark_first": expose(dark, sensor, rng),
-        "dark_second": expose(dark, sensor, rng),
-        "white": sensor.white,
+        "first": first[:-1],
+        "second": second[:-1],
+        "dark_first": first[-1],
+        "dark_second": second[-1],
+        "white": camera.white,
     }
-    return Known(inputs, sensor.gain)
+    return Known(inputs, camera.gain)
+
+
+def standardised(rng: Generator, count: int) -> NDArray[np.float64]:
+    """Draw normal numbers for small pictures, each with the mean 0 and the variance 1."""
+    fields = rng.standard_normal((count, *PIXELS))
+    fields -= fields.mean(axis=(1, 2), keepdims=True)
+    return np.asarray(fields / fields.std(axis=(1, 2), keepdims=True))
+
+
+def standardised_difference(
+    first: NDArray[np.float64], second: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return `second` less its part along `first`: then the difference has the variance 2."""
+    along = (first * second).mean(axis=(1, 2), keepdims=True)
+    apart = second - along * first
+    return np.asarray(apart / apart.std(axis=(1, 2), keepdims=True))
 
 
 def pairs_within_range(rng: Generator) -> Known:
@@ -123,6 +141,8 @@ def green_first(rng: Generator) -> Known:
 
 def mosaic_of(image: NDArray[Any]) -> NDArray[Any]:
     """Return what RGGB filters leave of a picture."""
+    import scipy.ndimage  # noqa: F401 (an answer that uses it should not load it on its own time)
+
     mosaic = image[..., 1].astype(np.float64)
     mosaic[0::2, 0::2], mosaic[1::2, 1::2] = image[0::2, 0::2, 0], image[1::2, 1::2, 2]
     return mosaic
