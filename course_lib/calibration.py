@@ -90,8 +90,8 @@ def calibrate(
     model : CameraModel, optional
         What is estimated; fx, fy, cx, cy, k1, k2, p1, p2, k3 unless given.
     start : tuple of array_like, shape (3, 3) and coefficients, optional
-        K and distortion to begin with, instead of the closed form. What the model does not free
-        stays as it is there.
+        K and distortion to begin with; the closed form is taken instead if it comes closer to the
+        pixels. What the model does not free stays as it is here.
 
     Returns
     -------

@@ -74,11 +74,16 @@ class CameraModel:
         chosen |= {"cx", "cy"} if self.principal_point else set()
         return tuple(name for name in NAMES if name in chosen)
 
+    @cached_property
+    def places(self) -> list[int]:
+        """Where the free numbers are among the seventeen of a camera."""
+        return [NAMES.index(name) for name in self.names]
+
     def moved(self, camera: Array, step: Array) -> Array:
-        """Return the camera's seventeen numbers after a step of the free ones."""
+        """Return the camera's seventeen numbers after a step of the free ones, shape (n,)."""
         camera = camera.copy()
         aspect = camera[1] / camera[0]
-        camera[[NAMES.index(name) for name in self.names]] += step
+        camera[self.places] += step
         if self.square_pixels:
             camera[1] = aspect * camera[0]
         return camera

@@ -25,7 +25,7 @@ from course_lib.checks import Array, DegenerateConfigurationError
 
 #: A step that promises to lower the sum of squares by less, relative to itself, is the last one.
 LAST_GAIN = 1e-11
-STEPS = 100
+STEPS = 300
 FIRST_DAMPING = 1e-4
 #: With more damping a step is too short to change anything.
 TOO_STIFF = 1e12
@@ -170,10 +170,10 @@ def refined(
         if gain <= last_gain * normals.cost and damping <= 1:
             return trial, normals
         ahead = arrow(products(trial)) if trial.is_camera else None
-        if ahead and ahead.cost < normals.cost:
-            state, normals, damping = trial, ahead, damping / 10
-        else:
-            damping *= 10
+        kept = (normals.cost - ahead.cost) / gain if ahead else -np.inf
+        damping *= 0.1 if kept > 0.7 else 1 if kept > 0.3 else 10
+        if ahead and kept > 0:
+            state, normals = trial, ahead
     return state, normals
 
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from course_lib.calibration_degeneracy import check_enough, check_order, check_tilts
 from course_lib.calibration_model import CameraModel, State, camera_numbers
-from course_lib.calibration_refinement import Normals, minimised
+from course_lib.calibration_refinement import Normals, arrow, minimised, view_products
 from course_lib.calibration_views import Views
 from course_lib.checks import Array, DegenerateConfigurationError
 from course_lib.homography import fit_homographies
@@ -58,17 +58,29 @@ def starting_state(
     model : CameraModel
         What will be estimated.
     start : tuple of array_like, or None
-        Intrinsics and distortion to begin with instead.
+        Intrinsics and distortion to begin with, unless the closed form comes closer. What is not
+        free stays as it is there.
 
     Returns
     -------
     State
         The start, with k1 and k2 if the model has them.
     """
-    given = (starting_intrinsics(Hs, image_size, model), [0]) if start is None else start
-    R, t = pose_from_homography(given[0], Hs)
-    state = State(model, camera_numbers(*given), R, t)
-    return state if start is not None else with_distortion(state, views)
+    K = starting_intrinsics(Hs, image_size, model)
+    closed = with_distortion(_posed(camera_numbers(K, [0]), Hs, model), views)
+    if start is None:
+        return closed
+    given = _posed(camera_numbers(*start), Hs, model)
+    if not (model.focal and model.principal_point):
+        return given
+    step = (closed.camera - given.camera)[model.places]
+    other = _posed(model.moved(given.camera, step), Hs, model)
+    return min(given, other, key=lambda state: arrow(view_products(state, views)).cost)
+
+
+def _posed(camera: Array, Hs: Array, model: CameraModel) -> State:
+    R, t = pose_from_homography(State(model, camera, np.empty(0), np.empty(0)).K, Hs)
+    return State(model, camera, R, t)
 
 
 def starting_intrinsics(Hs: Array, image_size: Array, model: CameraModel) -> Array:
