@@ -12,8 +12,8 @@ from course_lib.drawing.distortion.mapping import (
     moved_points,
 )
 from course_lib.drawing.distortion.models import barrel_and_pincushion, profiles, where_it_acts
-from course_lib.drawing.distortion.rails import rails, straightened_rails
 from course_lib.drawing.distortion.real_fisheye import fisheye_photograph
+from course_lib.drawing.distortion.straight_edges import rails, straightened_rails
 
 __all__ = [
     "angles",
