@@ -85,6 +85,9 @@ def test_the_robust_line():
     fit = least_squares.solve_robust(A, draw.readings(slipped=True))
     assert fit.x[0] == about(46.2, 1)
     assert 1 / fit.weights[6] == about(9, 0)
+    plain, _ = least_squares.fit_line(draw.LOADS, draw.readings(slipped=True))
+    assert round(1000 / 105 / (plain * 1e-6), -3) == 167_000
+    says("56.9, so only 167 000 N/mm²")
     says("The robust line says 46.2, and the slipped reading counts a ninth")
 
 
@@ -181,7 +184,8 @@ def test_the_real_wall():
     floors = [np.array(floor.split(), float).reshape(-1, 2) for floor in walls.FLOORS]
     pixels = np.concatenate(floors)
     places = np.array([(k, up) for up, f in enumerate(floors) for k in range(len(f))], float)
-    wall = walls.Wall(np.zeros((2, 2, 3), np.uint8), pixels, places)
+    ends = np.array([[152.7, 265.5], floors[2][0]])
+    wall = walls.Wall(np.zeros((2, 2, 3), np.uint8), pixels, places, ends)
     four = draw.outer_four(wall)
     exact = homography.homography_dlt(pixels[four], places[four])
     off = homogeneous.apply_homography(pixels, exact) - places
@@ -189,9 +193,14 @@ def test_the_real_wall():
     assert np.linalg.norm(off, axis=1).max() == about(0.11, 2)
     says("0.044 bays (RMS), up to 0.11", "32 points", "The 28 others")
     H = homography.homography_dlt(pixels, places)
-    left, right = homogeneous.apply_homography([[152.7, 265.5], [192.7, 249.0]], H)
+    left, right = homogeneous.apply_homography(ends, H)
     assert right[0] - left[0] == about(1.4, 1)
-    says("About 1.4 bays", "[[152.7, 265.5], [192.7, 249.0]]")
+    says("About 1.4 bays")
+    computed = draw.rendered_building()
+    H = homography.homography_dlt(computed.pixels, computed.places)
+    left, right = homogeneous.apply_homography(computed.ends, H)
+    assert right[0] - left[0] == about(0.5, 1)
+    says("a window, half a bay wide")
 
 
 # The whole camera

@@ -40,11 +40,14 @@ class Wall(NamedTuple):
         Where the points are in the photograph.
     places : ndarray, shape (N, 2)
         Where they are on the wall: bays to the right, floors up.
+    ends : ndarray, shape (2, 2)
+        Left and right end of something to measure, in the photograph.
     """
 
     picture: NDArray[np.uint8]
     pixels: Floats
     places: Floats
+    ends: Floats
 
 
 def building(path: Path) -> Wall:
@@ -58,14 +61,17 @@ def building(path: Path) -> Wall:
     Returns
     -------
     Wall
-        The picture and its points.
+        The picture and its points; `ends` are those of a balcony at the left end.
     """
     import cv2
 
     picture = cv2.imread(str(path), cv2.IMREAD_COLOR_RGB)
     pixels = [np.array(floor.split(), dtype=float).reshape(-1, 2) for floor in FLOORS]
     places = [(k, up) for up, floor in enumerate(pixels) for k in range(len(floor))]
-    return Wall(np.asarray(picture, np.uint8), np.concatenate(pixels), np.array(places, float))
+    balcony = np.array([[152.7, 265.5], pixels[2][0]])
+    return Wall(
+        np.asarray(picture, np.uint8), np.concatenate(pixels), np.array(places, float), balcony
+    )
 
 
 def rendered_building() -> Wall:
@@ -74,7 +80,8 @@ def rendered_building() -> Wall:
     Returns
     -------
     Wall
-        The picture, and the bottom-left corners of 17 windows and a door, good to half a pixel.
+        The picture, and the bottom-left corners of 17 windows and a door, good to half a pixel;
+        `ends` are those of a window.
     """
     from data_generators import cell, facade
 
@@ -83,7 +90,8 @@ def rendered_building() -> Wall:
     corners = np.array([facade.window(int(k), int(floor))[0] for k, floor in places])
     exact = camera.project(facade.in_space(corners))
     pixels = cell.observed(exact, 0.5, np.random.default_rng(2))
-    return Wall(facade.photograph(camera), pixels, places)
+    window = camera.project(facade.in_space(facade.window(2, 1)[:2]))
+    return Wall(facade.photograph(camera), pixels, places, window)
 
 
 def outer_four(wall: Wall) -> NDArray[np.intp]:
