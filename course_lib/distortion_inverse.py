@@ -116,8 +116,8 @@ def undistort_points(points: ArrayLike, coefficients: ArrayLike) -> Array:
     distorted = points.reshape(-1, 2)
     undistorted = np.empty_like(distorted)
     if distorted.size:
-        limit = valid_radius(k)
-        guess = radial_guess(k, limit, float(np.sqrt((distorted**2).sum(axis=1).max())))
+        limit, (x, y) = valid_radius(k), distorted.T
+        guess = radial_guess(k, limit, float(np.sqrt((x * x + y * y).max())))
         for start in range(0, len(distorted), CHUNK):
             part = slice(start, start + CHUNK)
             undistorted[part] = _undistort_part(distorted[part], k, limit, guess)
@@ -155,8 +155,9 @@ def _newton_step(x: Array, y: Array, x_d: Array, y_d: Array, k: Array) -> tuple[
     found_x -= x_d
     found_y -= y_d
     determinant = xx * yy - xy * yx
-    step_x = (yy * found_x - xy * found_y) / determinant
-    step_y = (xx * found_y - yx * found_x) / determinant
+    inverse = 1 / determinant
+    step_x = (yy * found_x - xy * found_y) * inverse
+    step_y = (xx * found_y - yx * found_x) * inverse
     return step_x, step_y, determinant, found_x, found_y
 
 

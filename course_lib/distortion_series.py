@@ -101,7 +101,9 @@ def ebner(points: ArrayLike, coefficients: ArrayLike, b: float) -> Array:
 
     References
     ----------
-    H. Ebner, "Self calibrating block adjustment", Bildmessung und Luftbildwesen 44 (1976).
+    H. Ebner, "Self calibrating block adjustment", Bildmessung und Luftbildwesen 44 (1976). The
+    terms, their order and their signs were compared with those of MicMac, the photogrammetric
+    software of IGN (``phgr_ebner_brown_dist.cpp``): they are the same.
 
     Examples
     --------
