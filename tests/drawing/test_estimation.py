@@ -1,5 +1,7 @@
 """The figures of chapter 06: each draws, says what it shows, and shows the right thing."""
 
+import itertools
+
 import matplotlib as mpl
 import numpy as np
 import pytest
@@ -9,7 +11,7 @@ mpl.use("Agg")  # as a test has no screen
 
 from matplotlib.quiver import Quiver
 
-from course_lib import homography, least_squares, resection
+from course_lib import data, homography, least_squares, resection
 from course_lib.drawing import estimation as draw
 from course_lib.drawing.estimation import resection as later
 from course_lib.drawing.estimation import wall as walls
@@ -218,3 +220,34 @@ def test_the_largest_table_fits_best_and_helps_less():
     assert 3 < best < len(unseen) - 1
     assert unseen[-1] > 1.25 * unseen[best]
     assert unseen[best] < 0.5 * judged[0].before
+
+
+def bays(wall, H):
+    """Return the bays 1 to 7 of the lowest floor, straightened by H, as rows of grey values."""
+    import cv2
+
+    grey = cv2.cvtColor(wall.picture, cv2.COLOR_RGB2GRAY)
+    u, v = np.meshgrid(np.linspace(0.03, 0.97, 40), np.linspace(0.95, 0.1, 40))
+    patches = []
+    for k in range(1, 8):
+        pixels = apply_homography(np.stack([u.ravel() + k, v.ravel()], axis=1), np.linalg.inv(H))
+        seen = cv2.remap(grey, *pixels.astype(np.float32).T[:, None], cv2.INTER_LINEAR)
+        patches.append(seen[0].astype(float))
+    return np.array(patches)
+
+
+def test_the_bays_of_the_real_building_become_alike():
+    try:
+        wall = draw.building(data.fetch("opencv_stereo/building.jpg"))
+    except data.Unavailable as missing:
+        pytest.skip(str(missing))
+    assert wall.picture.shape == (600, 868, 3)
+    assert wall.pixels.shape == wall.places.shape == (32, 2)
+    projective = homography.homography_dlt(wall.pixels, wall.places)
+    affine = np.vstack([least_squares.fit_affine(wall.pixels, wall.places), [0, 0, 1]])
+    alike, unlike = (
+        np.mean([np.corrcoef(a, b)[0, 1] for a, b in itertools.pairwise(bays(wall, H))])
+        for H in (projective, affine)
+    )
+    assert alike > 0.9
+    assert unlike < 0.5
