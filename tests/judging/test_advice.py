@@ -44,6 +44,12 @@ def test_columns_of_a_single_point():
     assert "first has index 0" in said(lambda points: points[2], np.array([1.0, 2]))
 
 
+def test_a_mask_of_pixels_leaves_no_pictures():
+    pictures = np.arange(24.0).reshape(2, 3, 4)
+    words = said(lambda: pictures[pictures < 20].mean(axis=(1, 2)))
+    assert "one True or False for each" in words
+
+
 def test_hypot_takes_two_numbers():
     assert "np.hypot(a, b)" in said(np.hypot, (36, 24))
 

@@ -146,15 +146,9 @@ def _marks(seen: float, place: float) -> tuple[Line, ...]:
 def _side(row: Floats, angle: float, place: float, seen: float, angle_deg: float) -> Picture:
     """Return the cut through the middle row, with the ray of the stripe."""
     x = (np.arange(len(row)) - (len(row) - 1) / 2) * PIXEL
-    outline = np.stack([x, row], axis=1)[::2]
+    outline = [[-20, 0], *np.stack([x, row], axis=1)[::2], [20, 0], [20, -1.5], [-20, -1.5]]
     lines = [
-        Line(
-            _on_side([[-20, 0], *outline, [20, 0], [20, -1.5], [-20, -1.5]]),
-            "guide",
-            1.0,
-            True,
-            fill=0.25,
-        ),
+        Line(_on_side(outline), "guide", 1.0, True, fill=0.25),
         Line(_on_side([[place, 0], [place - 14 * np.tan(angle), 14]]), "guide", 1.0, dashed=True),
     ]
     labels = [Label("light", _spot(place, angle), "ray", "end")]
