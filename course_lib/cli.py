@@ -1,4 +1,4 @@
-"""The ``course`` command: build notebooks from lessons, set a term up."""
+"""The ``course`` command: calibrate a camera, build notebooks from lessons, set a term up."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import course_lib
+from course_lib.calibrating import add_board_command, add_calibrate_command
 
 
 class UsageError(Exception):
@@ -37,9 +38,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog="course", description="For authors and instructors of the camera course."
+        prog="course",
+        description="For your own camera (calibrate, board), and for authors and instructors of "
+        "the camera course (build, term).",
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
+    add_calibrate_command(commands)
+    add_board_command(commands)
     _add_build(commands)
     _add_term(commands)
     return parser

@@ -15,6 +15,7 @@ MATHEMATICS = {
     "calibration_coverage",
     "calibration_degeneracy",
     "calibration_derivatives",
+    "calibration_files",
     "calibration_judgement",
     "calibration_model",
     "calibration_refinement",
@@ -91,6 +92,7 @@ MAY_IMPORT = {
         "course_lib.authoring",
         "course_lib.notebook",
     },
+    "course_lib.calibrating": {"course_lib.detection", "data_generators"},
     "course_lib.data": set(),
     "course_lib.judging": set(),
     "course_lib.drawing": {

@@ -1,0 +1,115 @@
+"""The commands ``course calibrate`` and ``course board``."""
+
+from __future__ import annotations
+
+import argparse
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from course_lib.calibrating.options import add_board_options, board_of
+
+if TYPE_CHECKING:
+    from course_lib.calibrating.looking import Photo
+
+EXAMPLE = """examples:
+  course board board.pdf --board 9x6 --square 25      print this at 100 %, glue it on something flat
+  course calibrate photos/ --board 9x6 --square 25    a folder with 10 to 30 photographs of it
+  course calibrate IMG_*.JPG --board 10x8 --square 25 --kind dots --diameter 15
+
+Take the photographs with one camera whose zoom and focus stay as they are. Hold the board tilted
+by 20 to 45 degrees, each time another way, near and far, and into every corner of the picture.
+"""
+
+
+def add_calibrate_command(commands: Any) -> None:
+    """Add ``course calibrate``."""
+    command = commands.add_parser(
+        "calibrate",
+        help="calibrate a camera from your own photographs of a board",
+        description="Calibrate a camera from photographs of a board: find the board in each, "
+        "estimate the camera, judge the result in plain words, and write a report.",
+        epilog=EXAMPLE,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    command.add_argument("photos", nargs="+", metavar="PHOTO", help="files, folders or patterns")
+    add_board_options(command)
+    command.add_argument(
+        "--coefficients",
+        default="k1,k2,p1,p2,k3",
+        metavar="k1,k2,…",
+        help="which numbers of distortion to estimate (%(default)s)",
+    )
+    command.add_argument(
+        "--output",
+        type=Path,
+        default=Path("calibration"),
+        metavar="DIR",
+        help="folder for report.html and the camera's files (%(default)s)",
+    )
+    command.set_defaults(run=_calibrate)
+
+
+def add_board_command(commands: Any) -> None:
+    """Add ``course board``."""
+    command = commands.add_parser(
+        "board",
+        help="write a board to print, as a PDF of exact size",
+        description="Write a board to print, as a PDF page of exact size. Print it at 100 % (not "
+        "'fit to page'), measure the bar at its foot, and glue it on something flat.",
+    )
+    command.add_argument("file", type=Path, metavar="FILE.pdf")
+    add_board_options(command)
+    command.add_argument("--page", default="A4", help="A4, A3, A2, A1 or letter (%(default)s)")
+    command.set_defaults(run=_board)
+
+
+def _board(options: argparse.Namespace) -> int:
+    from data_generators.printable import save_board
+
+    board = board_of(options)
+    save_board(options.file, board, options.page)
+    print(f"Wrote {options.file}: {board.name}. Print it at 100 % and measure its bar.")
+    return 0
+
+
+def _calibrate(options: argparse.Namespace) -> int:
+    from course_lib.calibrating.judgement import judge
+    from course_lib.calibrating.looking import look_at_photos
+    from course_lib.calibrating.pictures import find_photos
+    from course_lib.calibrating.report import write_report
+    from course_lib.calibrating.solving import solve
+    from course_lib.calibration_model import CameraModel
+
+    board = board_of(options)
+    names = tuple(name for name in options.coefficients.replace(" ", "").split(",") if name)
+    model = CameraModel(coefficients=names)
+    paths = find_photos(options.photos)
+    print(f"Looking for {board.name} in {len(paths)} photographs:", flush=True)
+    photos = look_at_photos(paths, board, lambda line: print(line, flush=True))
+    _check_enough(photos)
+    solved = solve(photos, board, model)
+    judgement = judge(solved)
+    files = write_report(options.output, solved, judgement)
+    print()
+    for statement in judgement.statements:
+        print(f"{statement.sign} {statement.text}")
+    print("\nWrote " + ", ".join(str(file) for file in files))
+    return 0 if judgement.fine else 1
+
+
+def _check_enough(photos: Sequence[Photo]) -> None:
+    """Raise unless the board was found in three photographs."""
+    used = [photo for photo in photos if photo.used]
+    if len(used) >= 3:
+        return
+    kinds = Counter(photo.problem for photo in photos if not photo.used)
+    told = ", ".join(f"{count} {kind}" for kind, count in kinds.most_common())
+    hint = ""
+    if kinds and kinds.most_common(1)[0][0] == "wrong size":
+        hint = " Look at what was seen above: --board wants inner corners, not squares."
+    raise ValueError(
+        f"the board was found in {len(used)} of {len(photos)} photographs; 3 are needed, 10 to 30 "
+        f"are good. Of the others: {told}.{hint}"
+    )

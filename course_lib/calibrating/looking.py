@@ -1,0 +1,142 @@
+"""The board is looked for in each photograph, one after the other, so that memory holds one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from course_lib.boards import Board
+from course_lib.calibrating.pictures import (
+    Header,
+    Picture,
+    SetAside,
+    read_grey,
+    read_header,
+    usual_size,
+    why_other_size,
+)
+from course_lib.detection import Detection, detect_board
+from course_lib.detection.result import grey_picture, shrunk
+
+Tell = Callable[[str], None]
+
+THUMBNAIL = 640  # px, long side
+#: Two views whose points differ by less are the same view, px and by the picture's width.
+SAME = 0.0005
+
+
+@dataclass(frozen=True, eq=False)
+class Photo:
+    """A photograph, and what became of it.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    verdict : str
+        A sentence: why it is used or not.
+    used : bool
+        Whether it takes part in the calibration.
+    problem : str
+        In a word, as `Detection.problem`; also ``"file"``, ``"size"`` and ``"duplicate"``.
+    header : Header, optional
+        What the file says.
+    detection : Detection, optional
+        The board in it.
+    thumbnail : ndarray, optional
+        The picture, at most `THUMBNAIL` px, `uint8` grey.
+    """
+
+    path: Path
+    verdict: str
+    used: bool = False
+    problem: str = ""
+    header: Header | None = None
+    detection: Detection | None = None
+    thumbnail: Picture | None = None
+
+    @property
+    def name(self) -> str:
+        """The file's name without its folder."""
+        return self.path.name
+
+
+def look_at_photos(paths: Sequence[Path], board: Board, tell: Tell) -> list[Photo]:
+    """Return all photographs with the board in them or the reason why there is none.
+
+    Parameters
+    ----------
+    paths : sequence of Path
+        The files.
+    board : Checkerboard, DotGrid, Charuco or SquareGrid
+        What to look for.
+    tell : callable
+        Is told a line for each.
+
+    Returns
+    -------
+    list of Photo
+        In the order of the files.
+    """
+    opened = [_opened(path) for path in paths]
+    headers = [photo.header for photo in opened if photo.header is not None]
+    usual = usual_size(headers) if headers else (0, 0)
+    photos: list[Photo] = []
+    for number, photo in enumerate(opened, 1):
+        photo = _looked_at(photo, usual, photos, board)
+        photos.append(photo)
+        mark = "+" if photo.used else "-"
+        tell(f"[{number:{len(str(len(paths)))}}/{len(paths)}] {mark} {photo.name}: {photo.verdict}")
+    return photos
+
+
+def _opened(path: Path) -> Photo:
+    try:
+        return Photo(path, "", header=read_header(path))
+    except SetAside as reason:
+        return Photo(path, _sentence(reason), problem="file")
+
+
+def _looked_at(
+    photo: Photo, usual: tuple[int, int], before: Sequence[Photo], board: Board
+) -> Photo:
+    """Return a photograph with the board looked for, unless something stands against it."""
+    header = photo.header
+    if header is None:
+        return photo
+    twin = next((b for b in before if b.header and b.header.digest == header.digest), None)
+    if twin is not None:
+        return replace(photo, problem="duplicate", verdict=f"The same file as {twin.name}.")
+    if header.size != usual:
+        why = _sentence(why_other_size(header.size, usual))
+        return replace(photo, problem="size", verdict=why)
+    try:
+        grey = grey_picture(read_grey(photo.path))
+    except SetAside as reason:
+        return replace(photo, problem="file", verdict=_sentence(reason))
+    found = detect_board(grey, board)
+    small = shrunk(grey, max(1.0, max(grey.shape) / THUMBNAIL))[0]
+    thumbnail = np.clip(np.rint(small), 0, 255).astype(np.uint8)
+    photo = replace(photo, detection=found, thumbnail=thumbnail, problem=found.problem)
+    same = next((b for b in before if _same_view(b, found, usual[0])), None)
+    if same is not None:
+        told = f"The board is where it is in {same.name}: that tells nothing new."
+        return replace(photo, problem="duplicate", verdict=told)
+    return replace(photo, verdict=found.verdict, used=found.good)
+
+
+def _same_view(photo: Photo, found: Detection, width: int) -> bool:
+    """Return whether a photograph that is used shows the board at the same place."""
+    other = photo.detection
+    if not (photo.used and other and found.good) or not np.array_equal(other.ids, found.ids):
+        return False
+    apart = np.linalg.norm(other.points - found.points, axis=1)
+    return bool(np.sqrt(np.mean(apart**2)) < max(0.2, SAME * width))
+
+
+def _sentence(reason: object) -> str:
+    text = str(reason)
+    return text[0].upper() + text[1:] + "."

@@ -1,0 +1,177 @@
+"""Photographs as people have them: found, opened, and set aside with a reason if need be."""
+
+from __future__ import annotations
+
+import glob
+import hashlib
+import warnings
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: What is looked for in a folder.
+ENDINGS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp", ".webp", ".pgm", ".ppm")
+#: More pixels than any camera has: such a picture is no photograph.
+MOST_PIXELS = 400_000_000
+#: Tag of Exif's part on the exposure, and of the focal length in it.
+EXIF_PART, FOCAL_LENGTH = 0x8769, 0x920A
+
+Picture = NDArray[Any]
+
+
+class SetAside(Exception):
+    """A picture cannot be used; the message is a sentence for its owner."""
+
+
+@dataclass(frozen=True)
+class Header:
+    """What a picture's file says before it is read.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    size : tuple of int
+        Width and height as the sensor has them, px: not turned upright.
+    focal : float
+        Focal length in mm, 0 if the file does not say.
+    digest : str
+        Fingerprint of the file.
+    """
+
+    path: Path
+    size: tuple[int, int]
+    focal: float
+    digest: str
+
+
+def find_photos(arguments: Sequence[str]) -> list[Path]:
+    """Return the files that are meant: files, all pictures of folders, or patterns like ``*.jpg``.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        As they were typed.
+
+    Returns
+    -------
+    list of Path
+        Each file once, in the order of the arguments. Names of files that do not exist stay.
+
+    Raises
+    ------
+    ValueError
+        If there are none.
+    """
+    found: list[Path] = []
+    for argument in arguments:
+        path = Path(argument)
+        if path.is_dir():
+            inside = sorted(p for p in path.iterdir() if p.suffix.lower() in ENDINGS)
+            found += inside
+        elif any(sign in argument for sign in "*?[") and not path.exists():
+            found += [Path(name) for name in sorted(glob.glob(argument))]
+        else:
+            found.append(path)
+    if not found:
+        raise ValueError(f"no photographs in {' '.join(arguments)}: name files or a folder")
+    return list(dict.fromkeys(found))
+
+
+def read_header(path: Path) -> Header:
+    """Return what a file says of its picture.
+
+    Raises
+    ------
+    SetAside
+        If it is no picture that can be opened.
+    """
+    with _opened(path) as picture:
+        focal = picture.getexif().get_ifd(EXIF_PART).get(FOCAL_LENGTH, 0)
+        size = picture.size
+    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    return Header(path, size, float(focal), digest)
+
+
+def read_grey(path: Path) -> Picture:
+    """Return a picture in grey, as the sensor has it.
+
+    A camera writes down how it was held, and programs turn the picture upright; for a calibration,
+    all pictures must stay as they were on the sensor.
+
+    Raises
+    ------
+    SetAside
+        If the file is broken.
+    """
+    with _opened(path) as picture:
+        if picture.mode.startswith("I;16"):
+            return np.asarray(picture).astype(np.uint16)
+        if picture.mode in ("I", "F"):
+            values = np.asarray(picture, np.float32)
+            return values / max(float(values.max()), 1.0)
+        return np.asarray(picture.convert("L"))
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[Any]:
+    """Open a picture; whatever goes wrong becomes a sentence."""
+    from PIL import Image, UnidentifiedImageError
+
+    _check_file(path)
+    limit, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            with Image.open(path) as picture:
+                pixels = picture.size[0] * picture.size[1]
+                if pixels > MOST_PIXELS:
+                    raise SetAside(f"{pixels / 1e6:.0f} megapixels are too many: make it smaller")
+                yield picture
+    except SetAside:
+        raise
+    except UnidentifiedImageError:
+        raise SetAside("this is no picture that can be read: save it as JPEG or PNG") from None
+    except MemoryError:
+        raise SetAside("there is not enough memory for it: make it smaller") from None
+    except Exception as error:  # broken files break readers of pictures in many ways
+        raise SetAside(f"the file is damaged or cut off ({error}): copy it again") from None
+    finally:
+        Image.MAX_IMAGE_PIXELS = limit
+
+
+def _check_file(path: Path) -> None:
+    """Raise unless there is something to read."""
+    try:
+        if path.is_dir():
+            raise SetAside("this is a folder")
+        if path.stat().st_size == 0:
+            raise SetAside("the file is empty (0 bytes): copy it again")
+        with path.open("rb"):
+            pass
+    except FileNotFoundError:
+        raise SetAside("there is no such file") from None
+    except OSError as error:
+        raise SetAside(f"it cannot be read ({error.strerror})") from None
+
+
+def usual_size(headers: Sequence[Header]) -> tuple[int, int]:
+    """Return the size that most pictures have; of equally many, the larger."""
+    sizes = Counter(header.size for header in headers)
+    return max(sizes, key=lambda size: (sizes[size], size[0] * size[1]))
+
+
+def why_other_size(size: tuple[int, int], usual: tuple[int, int]) -> str:
+    """Return a sentence on a picture whose size is not that of most."""
+    told = f"it has {size[0]} × {size[1]} px, most pictures {usual[0]} × {usual[1]}"
+    if size == usual[::-1]:
+        return f"{told}: a program has turned it. Turn it back to how the camera took it"
+    if abs(size[0] / size[1] - usual[0] / usual[1]) < 0.01:
+        return f"{told}: it was made smaller or larger. Use the original"
+    return f"{told}: it is of another camera, or cropped. Use the original"

@@ -1,0 +1,156 @@
+"""From the boards that were found to a camera; dots lose the bias of perspective on the way."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from course_lib.boards import Board, DotGrid
+from course_lib.calibrating.looking import Photo
+from course_lib.calibration import (
+    Calibration,
+    CameraModel,
+    RobustCalibration,
+    calibrate_robustly,
+    held_out_rms,
+)
+from course_lib.checks import Array, DegenerateConfigurationError
+from course_lib.circles import circle_bias
+from course_lib.detection import Detection
+from course_lib.distortion import distort_pixels
+
+#: Fewer views cannot do without one in five.
+FEWEST_TO_HOLD_OUT = 6
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A camera and the photographs it comes from.
+
+    Attributes
+    ----------
+    photos : tuple of Photo
+        All of them; those that the calibration rejected are no longer `used`.
+    board : Checkerboard, DotGrid, Charuco or SquareGrid
+        The board.
+    calibration : Calibration
+        The camera; its poses and residuals are those of `views`, in their order.
+    views : tuple of Photo
+        Those that took part.
+    pixels : tuple of ndarray
+        Their points, px; dots without the bias of perspective.
+    kept : tuple of ndarray of bool
+        Which of these points were not rejected.
+    reasons : tuple of str
+        Why others were.
+    held_out : ndarray
+        RMS of each view by a camera that was calibrated without it, px; empty if they are too few.
+    """
+
+    photos: tuple[Photo, ...]
+    board: Board
+    calibration: Calibration
+    views: tuple[Photo, ...]
+    pixels: tuple[Array, ...]
+    kept: tuple[NDArray[np.bool_], ...]
+    reasons: tuple[str, ...]
+    held_out: Array
+
+
+def solve(photos: Sequence[Photo], board: Board, model: CameraModel) -> Solved:
+    """Return the camera that took the photographs.
+
+    Parameters
+    ----------
+    photos : sequence of Photo
+        As of `look_at_photos`; three or more of them are used.
+    board : Checkerboard, DotGrid, Charuco or SquareGrid
+        What is on them.
+    model : CameraModel
+        What is estimated.
+
+    Returns
+    -------
+    Solved
+        The camera, what was kept of each photograph, and why the rest was not.
+
+    Raises
+    ------
+    DegenerateConfigurationError, ValueError
+        As `course_lib.calibration.calibrate_robustly`.
+    """
+    used = [p for p in photos if p.used and p.detection is not None and p.header is not None]
+    found = [p.detection for p in used if p.detection is not None]
+    size = next(p.header.size for p in used if p.header is not None)
+    objects, pixels = [board.points()[f.ids] for f in found], [f.points for f in found]
+    robust = calibrate_robustly(objects, pixels, size, model)
+    if isinstance(board, DotGrid):
+        pixels = _without_bias(robust, board, found)
+        robust = calibrate_robustly(objects, pixels, size, model)
+    numbers = np.flatnonzero(robust.kept_views).tolist()
+    told = {int(r.split()[1].strip(":")): _named(r, used) for r in robust.reasons}
+    out = {used[i].path: told[i] for i in told if i not in numbers}
+    kept = [robust.kept_points[i] for i in numbers]
+    clean = [(objects[i][k], pixels[i][k]) for i, k in zip(numbers, kept, strict=True)]
+    return Solved(
+        tuple(_rejected(p, out[p.path]) if p.path in out else p for p in photos),
+        board,
+        robust.calibration,
+        tuple(used[i] for i in numbers),
+        tuple(pixels[i] for i in numbers),
+        tuple(kept),
+        tuple(told.values()),
+        _held_out(clean, size, model),
+    )
+
+
+def _rejected(photo: Photo, reason: str) -> Photo:
+    return replace(photo, used=False, problem="does not fit", verdict=reason)
+
+
+def _named(reason: str, used: Sequence[Photo]) -> str:
+    """Return a reason with the photograph's name instead of the view's number."""
+    told = re.sub(r"^view (\d+)", lambda found: used[int(found[1])].name, reason)
+    return told if told.endswith("?") else f"{told}."
+
+
+def _without_bias(
+    robust: RobustCalibration, board: DotGrid, found: Sequence[Detection]
+) -> list[Array]:
+    """Return the centroids where the pictures of the dots' centres are."""
+    pixels = [f.points.copy() for f in found]
+    for i, bias in zip(
+        np.flatnonzero(robust.kept_views).tolist(), _biases(robust, board), strict=True
+    ):
+        pixels[i] -= bias[found[i].ids]
+    return pixels
+
+
+def _biases(robust: RobustCalibration, board: DotGrid) -> list[Array]:
+    """Return by how much the centroids of all dots are off in each view that was kept."""
+    camera, points, biases = robust.calibration, board.points(), []
+    for R, t in camera.poses:
+        bias = circle_bias(points, board.diameter / 2, camera.K, R, t)
+        ideal = points @ R.T + t
+        ideal = (ideal[:, :2] / ideal[:, 2:]) @ camera.K[:2, :2].T + camera.K[:2, 2]
+        # Through the lens, both move; only their difference counts.
+        both = [distort_pixels(p, camera.K, camera.coefficients) for p in (ideal + bias, ideal)]
+        biases.append(both[0] - both[1])
+    return biases
+
+
+def _held_out(
+    views: Sequence[tuple[Array, Array]], size: tuple[int, int], model: CameraModel
+) -> Array:
+    """Return the RMS of each view by a camera calibrated without it."""
+    if len(views) < FEWEST_TO_HOLD_OUT:
+        return np.empty(0)
+    objects, pixels = zip(*views, strict=True)
+    try:
+        return held_out_rms(objects, pixels, size, model)
+    except DegenerateConfigurationError:  # without some, the others do not determine the camera
+        return np.empty(0)
