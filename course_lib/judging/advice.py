@@ -62,8 +62,8 @@ ADVICE = (
     (
         "AxisError",
         "out of bounds",
-        "There is no such axis. A mask of pixels, as in `a[a < 5]`, leaves one long row: to keep "
-        "whole pictures, use one True or False for each of them.",
+        "There is no such axis: print the shape. A mask of pixels, as in `a[a < 5]`, leaves one "
+        "long row; to keep whole pictures, use one True or False for each of them.",
     ),
     ("IndexError", "", "There are fewer entries than the index needs; the first has index 0."),
     ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
