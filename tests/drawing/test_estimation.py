@@ -105,6 +105,27 @@ def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
     draw.correction(yours).canvas.draw()
 
 
+@pytest.mark.parametrize("H", [np.ones((3, 3)), 1e200 * np.eye(3), np.diag([1, 1, 1e-15])])
+def test_a_matrix_that_maps_no_plane_straightens_none(H):
+    figure = draw.straightened(WALL, H)
+    assert [text.get_text() for text in figure.axes[1].texts] == ["no homography yet"]
+
+
+@pytest.mark.parametrize(
+    ("matrix", "title"),
+    [
+        (np.ones((3, 4)), "P is not a camera"),
+        (np.full((3, 4), np.nan), "P is not a camera"),
+        (P * [-1, -1, -1, 1], "P has dots behind the camera"),
+        (None, "48 dots"),
+    ],
+)
+def test_a_matrix_that_is_no_camera_is_named(matrix, title):
+    figure = draw.calibration_object(PIXELS, matrix)
+    figure.canvas.draw()
+    assert figure.axes[0].get_title(loc="left") == title
+
+
 # What they show
 
 

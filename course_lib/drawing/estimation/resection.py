@@ -48,9 +48,7 @@ def calibration_object(pixels: ArrayLike, P: ArrayLike | None = None) -> Figure:
         picture_frame(ax, cell.SIZE)
         ax.plot(*at.T, "+", color="white", ms=7, mew=1.5)
     drawn = same_shape(P, np.zeros((3, 4)))
-    title = "48 dots"
-    if drawn is not None and np.isfinite(drawn).all() and abs(np.linalg.det(drawn[:, :3])) > 0:
-        title = _projected(axes, drawn, at)
+    title = "48 dots" if drawn is None else _projected(axes, drawn, at)
     axes[0].set_title(title)
     axes[1].set(xlim=(at[40, 0] - 60, at[40, 0] + 60), ylim=(at[40, 1] + 55, at[40, 1] - 55))
     axes[1].set_title("enlarged")
@@ -59,7 +57,10 @@ def calibration_object(pixels: ArrayLike, P: ArrayLike | None = None) -> Figure:
 
 def _projected(axes: Floats, P: Floats, pixels: Floats) -> str:
     """Draw what a camera matrix makes of dots and axes; return how far off the dots are."""
-    seen = project(cell.object_points(), P)
+    try:
+        seen = project(cell.object_points(), P)
+    except ValueError:
+        return "P is not a camera"
     for ax in axes:
         ax.plot(*seen.T, "o", mfc="none", mec=ROLES["ray"], ms=11, mew=1.6)
     origin, *tips = project([[0, 0, 0], [100, 0, 0], [0, 100, 0], [0, 0, 100]], P)
@@ -68,6 +69,8 @@ def _projected(axes: Floats, P: Floats, pixels: Floats) -> str:
             axes[0].plot(*np.array([origin, tip]).T, color=ROLES["second"], lw=2)
             axes[0].text(*tip, f"${name}$", color="white", fontsize=12)
     rms = np.sqrt(((seen - pixels) ** 2).sum(axis=1).mean())
+    if np.isnan(rms):
+        return "P has dots behind the camera"
     return f"rings: P, {rms:.2f} px from the dots"
 
 
@@ -95,7 +98,7 @@ def correction(
     picture_frame(ax, cell.SIZE)
     rows, columns = shape
     entries = same_shape(table, np.zeros((rows, columns, 2)))
-    if entries is None or not np.isfinite(entries).all():
+    if entries is None or not (np.abs(entries) < np.max(cell.SIZE)).all():  # nor NaN
         write(ax, (320, 240), "no table yet", "guide")
         return fig
     for k, (count, line) in enumerate(((columns, ax.axvline), (rows, ax.axhline))):

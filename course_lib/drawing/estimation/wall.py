@@ -141,13 +141,25 @@ def straightened(wall: Wall, H: ArrayLike | None, used: ArrayLike | None = None)
     look = {"mfc": "none", "mec": ROLES["object"], "mew": 2}
     left.plot(*wall.pixels[chosen].T, "o", ms=8, **look)
     left.set_title(f"{len(chosen)} points")
-    drawn = same_shape(H, np.zeros((3, 3)))
-    if drawn is None or not np.isfinite(drawn).all() or abs(np.linalg.det(drawn)) < 1e-300:
+    drawn = _usable(H)
+    if drawn is None:
         right.axis("off")
         write(right, (0.5, 0.5), "no homography yet", "guide")
         return fig
     _straight(right, wall, drawn)
     return fig
+
+
+def _usable(H: ArrayLike | None) -> Floats | None:
+    """Return H as an array if it maps the plane to a plane, whatever a student's function gave."""
+    drawn = same_shape(H, np.zeros((3, 3)))
+    if drawn is None:
+        return None
+    try:
+        apply_homography((0, 0), drawn)
+    except ValueError:
+        return None
+    return drawn
 
 
 def _straight(ax: Axes, wall: Wall, H: Floats) -> None:

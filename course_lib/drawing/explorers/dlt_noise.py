@@ -15,7 +15,7 @@ from course_lib.resection import camera_dlt
 
 Floats = NDArray[np.float64]
 
-TRIALS = 20
+TRIALS = 16
 SIZE = (400, 300)  # px of the camera's picture as it is drawn
 PLAN_SIZE, ZOOM_SIZE = (300, 300), (300, 300)
 K = np.array([[820.0, 0, 319.5], [0, 820, 239.5], [0, 0, 1]])
