@@ -19,7 +19,8 @@ from benchmarks.table import Row
 from tests.browser.lab import Lab, browser, free_port, open_notebook, run_all_cells, write_notebook
 
 MOVES_A_SECOND = 60  # of the mouse while dragging
-#: By chapter: name, function, title, and the control of the first slider, which moves.
+#: By chapter: name, function, title, and a slider that no other one of the chapter has: the
+#: peer moves it; ours moves the first.
 EXPLORERS = {
     "pinhole": (
         ("aperture explorer", "aperture_explorer", "The hole of a pinhole camera", "d"),
@@ -53,7 +54,7 @@ EXPLORERS = {
     ),
     "distortion": (
         ("distortion", "distortion_explorer", "Lens distortion", "k1"),
-        ("undistort", "undistort_explorer", "Straighten a photograph", "k1"),
+        ("undistort", "undistort_explorer", "Straighten a photograph", "k2"),
     ),
     "estimation": (
         ("least squares by hand", "least_squares_explorer", "Least squares by hand", "m"),
