@@ -156,7 +156,7 @@ def _your_values(ax: Axes, stops: Floats, values: Floats | None) -> None:
     # EV = log2(N² / t), solved for t; what lies beyond the chart is put at its edge.
     times = np.clip(stops**2 / 2.0 ** np.clip(values, -60, 60), 2 * TIMES[0], TIMES[1] / 2)
     ax.plot(stops, times, "o", color=ROLES["second"], ms=6, label="your EV")
+    paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.8}
     for N, t, value in zip(stops, times, values, strict=True):
-        paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.8}
-        number = f"{value:.1f}"
-        ax.text(N, t * 0.5, number, ha="center", va="top", fontsize=8, bbox=paper)
+        aside, side = (t * 0.5, "top") if t > 10 * TIMES[0] else (t * 2, "bottom")
+        ax.text(N, aside, f"{value:.1f}", ha="center", va=side, fontsize=8, bbox=paper)
