@@ -25,6 +25,8 @@ PLOT_SIZE = (280, 240)
 PROFILE = Plot((34, 268, 26, 200), (0.0, 1.6), (0.0, 1.6))
 #: Distance of the picture's corner from the centre, by the focal length.
 CORNER = float(np.hypot(*(np.array(SIZE) - 1)) / 2 / K[0, 0])
+#: Points on a line of the grid.
+STEPS = 24
 #: px: a longest arrow is drawn so long; a displacement smaller than the other is none.
 ARROW, NONE = 26.0, 0.05
 
@@ -61,10 +63,9 @@ def distortion_frame(**coefficients: float) -> Frame:
 
 def _house(lens: Floats, limit: float) -> Picture:
     """Return the house through the lens, with a grid of straight lines."""
-    lines = [
-        Line(_within(distort_pixels(line, K, lens), line, limit), "object", 1.5)
-        for line in straight_lines(steps=24)
-    ]
+    grid = np.array(straight_lines(steps=STEPS)).reshape(-1, 2)  # bent in one go
+    bent = _within(distort_pixels(grid, K, lens), grid, limit).reshape(-1, STEPS, 2)
+    lines = [Line(line, "object", 1.5) for line in bent]
     # How far the middle of the upper and of the lower edge bulges out, against its ends.
     edges = distort_pixels(pixel_grid(SIZE, 3, 2).reshape(-1, 2), K, lens)[:, 1]
     above, below = edges[[0, 3]] - edges[[1, 4]]
