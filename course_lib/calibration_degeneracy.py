@@ -17,7 +17,9 @@ PARALLEL_DEG = 0.5
 #: So far from a homography, by the size of the board in the picture, no lens bends a board.
 DISORDER = 0.12
 #: A focal length with a standard deviation of more than this share of it is not determined.
-VAGUE = 0.3
+VAGUE = 0.1
+#: No lens has a focal length of so many widths of the picture: a boundless one fits as well.
+FAR = 30.0
 
 
 def check_enough(views: Views, model: CameraModel, known: bool) -> None:
@@ -82,18 +84,21 @@ def check_tilts(Hs: Array, image_size: Array, model: CameraModel) -> None:
         )
 
 
-def check_determined(state: State, normals: Normals, variance: float) -> None:
-    """Raise if the minimum is so flat that a focal length could be anything."""
+def vagueness(state: State, normals: Normals, observations: int) -> float:
+    """Return the standard deviation of fx as a share of it; 0 if fx is not free."""
     if not state.model.focal:
-        return
-    try:
-        covariance, _ = normals.inverse_blocks()
-    except np.linalg.LinAlgError:
-        covariance = np.full((len(state.camera),) * 2, np.inf)
-    share = np.sqrt(variance * covariance[0, 0]) / state.camera[0]
-    if not share < VAGUE:
+        return 0.0
+    freedom = observations - len(state.model.names) - 6 * len(state.R)
+    variance = normals.cost / freedom * normals.inverse_blocks()[0][0, 0]
+    return float(np.sqrt(variance) / state.camera[0])
+
+
+def check_determined(state: State, vague: float, image_size: Array) -> None:
+    """Raise if the minimum is so flat that a focal length could be anything."""
+    longest = FAR * image_size.max()
+    if vague > VAGUE or (state.model.focal and state.camera[0] > longest):
         raise DegenerateConfigurationError(
             f"the views leave the focal length open (fx {state.camera[0]:.0f} px, with a standard "
-            f"deviation of {share:.0%}): tilt the board by 20° to 45° in different directions, and "
+            f"deviation of {vague:.0%}): tilt the board by 20° to 45° in different directions, and "
             "fill the picture with it"
         )

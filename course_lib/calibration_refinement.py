@@ -21,7 +21,7 @@ import numpy as np
 from course_lib.calibration_derivatives import derivative_blocks
 from course_lib.calibration_model import State
 from course_lib.calibration_views import Views
-from course_lib.checks import Array, DegenerateConfigurationError
+from course_lib.checks import SMALLEST, Array, DegenerateConfigurationError
 
 #: A step that promises to lower the sum of squares by less, relative to itself, is the last one.
 LAST_GAIN = 1e-11
@@ -72,10 +72,17 @@ class Normals(NamedTuple):
         """
         inverse = np.linalg.inv(self.U)
         ties = inverse @ self.W
-        camera = np.linalg.inv(self.V - _summed(self.W, ties))
-        camera = (camera + camera.T) / 2
+        camera = _inverse(self.V - _summed(self.W, ties))
         poses = np.einsum("vii->vi", inverse) + np.einsum("vij,jk,vik->vi", ties, camera, ties)
         return camera, poses
+
+
+def _inverse(N: Array) -> Array:
+    """Return the inverse of a symmetric matrix; what rounding leaves open is very uncertain."""
+    scale = np.sqrt(np.diag(N).clip(SMALLEST))
+    sizes, directions = np.linalg.eigh(N / np.outer(scale, scale))
+    directions = directions / scale[:, None]
+    return np.asarray(directions / sizes.clip(np.finfo(float).eps) @ directions.T)
 
 
 def _summed(left: Array, right: Array) -> Array:

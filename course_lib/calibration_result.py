@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course_lib.calibration_degeneracy import check_determined
+from course_lib.calibration_degeneracy import check_determined, vagueness
 from course_lib.calibration_derivatives import derivative_blocks, residuals
 from course_lib.calibration_judgement import rms_error
 from course_lib.calibration_model import CameraModel, State, camera_numbers
@@ -88,8 +88,8 @@ def calibration_from_state(
         If the views leave the focal length open.
     """
     names = state.model.names
+    check_determined(state, vagueness(state, normals, views.observations), image_size)
     variance = normals.cost / (views.observations - len(names) - 6 * len(state.R))
-    check_determined(state, normals, variance)
     covariance, poses = normals.inverse_blocks()
     sigma = np.sqrt(variance * np.diag(covariance))
     return Calibration(

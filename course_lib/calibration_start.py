@@ -8,7 +8,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.calibration_degeneracy import check_enough, check_order, check_tilts
+from course_lib.calibration_degeneracy import (
+    check_enough,
+    check_order,
+    check_tilts,
+    vagueness,
+)
 from course_lib.calibration_model import CameraModel, State, camera_numbers
 from course_lib.calibration_refinement import Normals, arrow, minimised, view_products
 from course_lib.calibration_views import Views
@@ -25,6 +30,8 @@ from course_lib.zhang import (
 LIKELY_FOCAL = (0.2, 20.0)
 #: With more points in a view than this, a part of them is enough for the first steps.
 ENOUGH_POINTS = 60
+#: With such a standard deviation of f, as a share of it, there may be another minimum.
+DOUBTFUL = 0.02
 
 
 def view_homographies(views: Views) -> Array:
@@ -177,4 +184,11 @@ def minimum(
     state = starting_state(few, Hs, size, model, start)
     if few is not views:
         state, _ = minimised(state, few, last_gain=1e-3)
-    return minimised(state, views)
+    state, normals = minimised(state, views)
+    if start is not None or vagueness(state, normals, views.observations) < DOUBTFUL:
+        return state, normals
+    # Views that say little of f have more than one minimum: try from an ordinary lens, too.
+    middle, f = (size - 1) / 2, size.max()
+    K = np.array([[f, 0, middle[0]], [0, f, middle[1]], [0, 0, 1]])
+    other, others = minimised(_posed(camera_numbers(K, [0]), Hs, model), views)
+    return (other, others) if others.cost < normals.cost else (state, normals)
