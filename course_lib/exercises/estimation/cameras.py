@@ -5,6 +5,7 @@ from __future__ import annotations
 from course_lib import resection
 from course_lib.exercises.estimation import camera_inputs as inputs
 from course_lib.exercises.estimation import misconceptions_cameras as wrong
+from course_lib.exercises.estimation import misconceptions_tables as wrong_table
 from course_lib.judging import Exercise, Explain, Misconception, Part, UpToScale
 
 CAMERA_DLT = Exercise(
@@ -34,6 +35,7 @@ CAMERA_DLT = Exercise(
             wrong.normalised_once_more,
             "Put a point into your product, from right to left: is it first normalised, or first "
             "taken back?",
+            also=[wrong.both_undone],
         ),
         Misconception(
             wrong.pixels_normalised_once_more,
@@ -46,7 +48,9 @@ CAMERA_DLT = Exercise(
         ),
         Misconception(
             wrong.last_column_of_twelve,
-            "NumPy gives the vectors already transposed. Are they rows or columns then?",
+            "The right vector is there, but you took numbers from all of them. Does NumPy give the "
+            "vectors as rows here, or as columns?",
+            also=[wrong.last_column_with_rows_in_blocks],
         ),
         Misconception(
             wrong.filled_column_by_column,
@@ -58,7 +62,8 @@ CAMERA_DLT = Exercise(
         ),
         Misconception(
             wrong.v_for_u,
-            "Which row of P makes u? In which rows of A does u stand?",
+            "Which row of P makes u? In which rows of A does u stand, and where does v?",
+            also=[wrong.u_for_v, wrong.v_for_u_in_the_rows, wrong.exchanged_in_the_rows],
         ),
         Misconception(
             wrong.last_row_of_a_parallel_camera,
@@ -84,13 +89,25 @@ DECOMPOSE_PROJECTION = Exercise(
             "multiply K and R with so that K R stays?",
             also=[
                 wrong.signs_as_they_come_from_flipping,
+                wrong.signs_as_they_come_from_scipy,
                 wrong.signs_as_they_come_after_the_mirror,
             ],
         ),
         Misconception(
             wrong.signs_of_K_only,
             "Your K is right. You changed signs in it: is the product of K and R still the same?",
-            also=[wrong.signs_of_K_only_without_the_mirror],
+            also=[
+                wrong.signs_of_K_only_without_the_mirror,
+                wrong.signs_of_K_in_the_columns_of_R,
+            ],
+        ),
+        Misconception(
+            wrong.signs_on_the_outer_sides,
+            "Between K and R, two equal sign matrices cancel. Do yours stand there, or outside?",
+        ),
+        Misconception(
+            wrong.inverse_left_in_K,
+            "You split the inverse of M. Does the triangle belong to K then, or to its inverse?",
         ),
         Misconception(
             wrong.mirror_left_in,
@@ -99,7 +116,7 @@ DECOMPOSE_PROJECTION = Exercise(
         Misconception(
             wrong.rotation_first,
             "QR gives the rotation first and the triangle second. Which of them is first in K R?",
-            also=[wrong.rotation_first_with_signs],
+            also=[wrong.rotation_first_with_signs, wrong.rotation_first_signs_inside],
         ),
         Misconception(
             wrong.K_not_divided,
@@ -108,6 +125,7 @@ DECOMPOSE_PROJECTION = Exercise(
         Misconception(
             wrong.rotation_transposed,
             "Your K is right. Does your R lead from the world to the camera, or back?",
+            also=[wrong.transpose_left_out],
         ),
         Misconception(
             wrong.last_column_as_centre,
@@ -125,6 +143,11 @@ DECOMPOSE_PROJECTION = Exercise(
             wrong.scale_left_in_the_centre,
             "Right while P is not multiplied. You divided K by a number: did the last column of P "
             "know of it?",
+        ),
+        Misconception(
+            wrong.null_vector_not_divided,
+            "K and R are right. The point that P maps to zero has four numbers: what makes three "
+            "coordinates of them?",
         ),
         Misconception(
             wrong.last_column_without_K,
@@ -149,52 +172,72 @@ CORRECTION_TABLE = Exercise(
     },
     misconceptions=[
         Misconception(
-            wrong.edge_at_zero,
+            wrong_table.edge_at_zero,
             "Where does the picture begin: in the middle of its first pixel, or at its edge?",
         ),
         Misconception(
-            wrong.cells_rounded,
+            wrong_table.one_cell_too_few,
+            "How many cells do your numbers count side by side, and how many were asked for?",
+        ),
+        Misconception(
+            wrong_table.comparison_with_fractions,
+            "Your table is empty. Are the numbers of rows and columns that you compare whole?",
+        ),
+        Misconception(
+            wrong_table.height_before_width,
+            "An image size is width and height. Which of them do you divide u by?",
+            also=[wrong_table.height_before_width_unclipped],
+        ),
+        Misconception(
+            wrong_table.cells_rounded,
             "A pixel near the end of the first cell: does rounding leave it in that cell?",
         ),
         Misconception(
-            wrong.sum_for_mean,
+            wrong_table.sum_for_mean,
             "Ten points with the same residual: should they correct ten times as much as one?",
         ),
         Misconception(
-            wrong.median_for_mean,
+            wrong_table.median_for_mean,
             "You take the middle one of the residuals. Which sort of average was asked for?",
         ),
         Misconception(
-            wrong.last_one_stays,
+            wrong_table.sizes_of_residuals,
+            "Residuals have signs, for u and for v. May those on the left and on the right cancel?",
+            also=[wrong_table.lengths_of_residuals],
+        ),
+        Misconception(
+            wrong_table.last_one_stays,
             "Several residuals fall into one cell. How many of them have a say in your entry?",
         ),
         Misconception(
-            wrong.one_mean_for_u_and_v,
+            wrong_table.one_mean_for_u_and_v,
             "Both numbers of a cell are the same. Over which axis must the mean be taken?",
         ),
         Misconception(
-            wrong.nan_where_nothing_was_seen,
+            wrong_table.nan_where_nothing_was_seen,
             "The mean of nothing is NaN. What should a cell without residuals hold instead?",
         ),
         Misconception(
-            wrong.minus_the_mean,
+            wrong_table.minus_the_mean,
             "The sign is turned round. Does the table hold what is left, or what to add?",
         ),
         Misconception(
-            wrong.columns_before_rows,
+            wrong_table.columns_before_rows,
             "Which index of the table comes first: the one that goes down, or the one across?",
+            also=[wrong_table.indices_exchanged, wrong_table.shape_read_the_other_way],
         ),
         Misconception(
-            wrong.u_down_and_v_across,
+            wrong_table.u_down_and_v_across,
             "u runs along a row of pixels. Does a larger u change the row of the cell, or its "
             "column?",
+            also=[wrong_table.u_down_and_v_across_by_own_sides],
         ),
         Misconception(
-            wrong.rows_from_the_bottom,
+            wrong_table.rows_from_the_bottom,
             "In which direction does v grow in a picture: up or down?",
         ),
         Misconception(
-            wrong.divided_by_all_points,
+            wrong_table.divided_by_all_points,
             "You divide by the number of all points. How many of them lie in the cell?",
         ),
     ],

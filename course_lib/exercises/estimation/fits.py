@@ -18,12 +18,18 @@ SOLVE_ONE_UNKNOWN = Exercise(
     misconceptions=[
         Misconception(
             wrong.mean_of_the_single_answers,
-            "You average the answers of the single equations. Should one with a tiny number before "
-            "x count as much as the others?",
+            "You solve each equation by itself first. Should one with a tiny number before x count "
+            "as much as the others?",
+            also=[wrong.middle_of_the_single_answers],
         ),
         Misconception(
             wrong.sums_divided,
             "You add up all equations into one. What if some of a are negative?",
+        ),
+        Misconception(
+            wrong.product_of_sums,
+            "Is the product of two sums the same as the sum of the products? Try two equations.",
+            also=[wrong.square_of_the_sum],
         ),
         Misconception(
             wrong.first_equation_only,
@@ -42,6 +48,7 @@ SOLVE_ONE_UNKNOWN = Exercise(
             wrong.divided_by_the_length,
             "Multiply all equations by ten: x must stay. Does a stand as often below the fraction "
             "bar as above?",
+            also=[wrong.divided_by_the_sum, wrong.divided_by_the_number],
         ),
         Misconception(
             wrong.divided_by_b,
@@ -58,6 +65,7 @@ SOLVE_ONE_UNKNOWN = Exercise(
         Misconception(
             wrong.an_answer_for_each_equation,
             "How many unknowns are there, and how many numbers do you return?",
+            also=[wrong.products_not_added, wrong.squares_not_added],
         ),
     ],
 )
@@ -95,8 +103,8 @@ FIT_LINE = Exercise(
         ),
         Misconception(
             wrong.two_points_only,
-            "Your line meets the first and the last point exactly. Which say have the others?",
-            also=[wrong.outermost_points],
+            "Your slope comes from the two ends alone. Which say have the points between them?",
+            also=[wrong.outermost_points, wrong.extremes_of_both],
         ),
         Misconception(
             wrong.first_two_points,
@@ -116,8 +124,14 @@ FIT_LINE = Exercise(
             "You average the slopes from point to point. Does a point in the middle still count?",
         ),
         Misconception(
+            wrong.one_more_counted,
+            "Your slope is off by a factor that depends on the number of points. By how many does "
+            "`np.cov` divide, and `np.var`?",
+        ),
+        Misconception(
             wrong.inverse_of_a_tall_matrix,
-            "Your matrix has more rows than columns. Which product of it with itself is square?",
+            "NumPy finds no inverse of your matrix. Is it square, and do its columns differ? Which "
+            "product of the design with itself is square?",
         ),
         Misconception(
             wrong.slope_of_a_fit_through_the_origin,
@@ -154,11 +168,23 @@ FIT_AFFINE = Exercise(
         ),
         Misconception(
             wrong.inverse_of_a_table,
-            "The design has more rows than columns, so it has no inverse. What takes its place?",
+            "NumPy finds no inverse of your matrix. Is it square, and do its columns differ? Which "
+            "product of the design with itself is square?",
         ),
         Misconception(
             wrong.no_translation,
             "Where does your map send the point (0, 0)? Must it stay there?",
+            also=[wrong.column_of_zeros],
+        ),
+        Misconception(
+            wrong.reshaped_for_transposed,
+            "Your six numbers are right, in wrong places. Does `reshape` turn rows into columns?",
+        ),
+        Misconception(
+            wrong.counted_from_the_mean,
+            "The 2 × 2 part is right. Where does your map send the mean of the points, and where "
+            "should it go?",
+            also=[wrong.difference_of_the_means],
         ),
         Misconception(
             wrong.translation_from_the_means,

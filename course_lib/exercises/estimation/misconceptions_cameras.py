@@ -1,4 +1,4 @@
-"""Wrong answers to the exercises of chapter 06 on camera matrices and correction tables."""
+"""Wrong answers to the exercises of chapter 06 on camera matrices."""
 
 from __future__ import annotations
 
@@ -56,12 +56,43 @@ def pixels_normalised_once_more(points, pixels):
     return T_pixels @ P @ T_points
 
 
+def both_undone(points, pixels):
+    T_pixels, P, T_points = _between(points, pixels)
+    return np.linalg.inv(T_pixels) @ P @ np.linalg.inv(T_points)
+
+
 def longest_of_twelve(points, pixels):
     return _undone(*_between(points, pixels, lambda A: np.linalg.svd(A)[2][0].reshape(3, 4)))
 
 
 def last_column_of_twelve(points, pixels):
     return _undone(*_between(points, pixels, lambda A: np.linalg.svd(A)[2][:, -1].reshape(3, 4)))
+
+
+def last_column_with_rows_in_blocks(points, pixels):
+    def pick(A: Any) -> Any:
+        return np.linalg.svd(np.concatenate([A[::2], A[1::2]]))[2][:, -1].reshape(3, 4)
+
+    return _undone(*_between(points, pixels, pick))
+
+
+def u_for_v(points, pixels):
+    return _undone(*_between_as(points, pixels, [0, 0]))
+
+
+def v_for_u_in_the_rows(points, pixels):
+    return _undone(*_between_as(points, pixels, [1, 1]))
+
+
+def exchanged_in_the_rows(points, pixels):
+    return _undone(*_between_as(points, pixels, [1, 0]))
+
+
+def _between_as(points: Any, pixels: Any, columns: Any) -> Any:
+    """Write the rows with these columns of the normalised pixels."""
+    p, T_points = normalise_points(points)
+    q, T_pixels = normalise_points(pixels)
+    return T_pixels, np.linalg.svd(_design(p, q[:, columns]))[2][-1].reshape(3, 4), T_points
 
 
 def filled_column_by_column(points, pixels):
@@ -113,6 +144,13 @@ def signs_as_they_come_from_flipping(P):
     return K / K[2, 2], R, _parts(P)[2]
 
 
+def signs_as_they_come_from_scipy(P):
+    from scipy.linalg import rq
+
+    K, R = rq(P[:, :3])
+    return K / K[2, 2], R, _parts(P)[2]
+
+
 def signs_as_they_come_after_the_mirror(P):
     return _signs_left(P * np.sign(np.linalg.det(P[:, :3])))
 
@@ -131,6 +169,30 @@ def signs_of_K_only_without_the_mirror(P):
     return K / K[2, 2], Q.T, _parts(P)[2]
 
 
+def signs_of_K_in_the_columns_of_R(P):
+    Q, U = np.linalg.qr(np.linalg.inv(P[:, :3] * _sign(P)))
+    signs = np.sign(np.diag(U))
+    return _right(P)[0], signs * Q.T, _parts(P)[2]
+
+
+def signs_on_the_outer_sides(P):
+    Q, U = np.linalg.qr(np.linalg.inv(P[:, :3] * _sign(P)))
+    D = np.diag(np.sign(np.diag(U)))
+    K = D @ np.linalg.inv(U)
+    return K / K[2, 2], Q.T @ D, _parts(P)[2]
+
+
+def inverse_left_in_K(P):
+    Q, U = np.linalg.qr(np.linalg.inv(P[:, :3] * _sign(P)))
+    D = np.diag(np.sign(np.diag(U)))
+    K = U @ D
+    return K / K[2, 2], D @ Q.T, _parts(P)[2]
+
+
+def _sign(P: Any) -> Any:
+    return np.sign(np.linalg.det(P[:, :3]))
+
+
 def mirror_left_in(P):
     K, R, centre = _right(P)
     return K, R * np.sign(np.linalg.det(P[:, :3])), centre
@@ -147,6 +209,12 @@ def rotation_first_with_signs(P):
     return D @ K / abs(K[2, 2]), R @ D, _parts(P)[2]
 
 
+def rotation_first_signs_inside(P):
+    R, K = np.linalg.qr(P[:, :3])
+    D = np.diag(np.sign(np.diag(K)))
+    return K @ D / (K @ D)[2, 2], D @ R, _parts(P)[2]
+
+
 def K_not_divided(P):
     return _parts(P)
 
@@ -154,6 +222,17 @@ def K_not_divided(P):
 def rotation_transposed(P):
     K, R, centre = _right(P)
     return K, R.T, centre
+
+
+def transpose_left_out(P):
+    Q, U = np.linalg.qr(np.linalg.inv(P[:, :3] * _sign(P)))
+    D = np.diag(np.sign(np.diag(U)))
+    return _right(P)[0], D @ Q, _parts(P)[2]
+
+
+def null_vector_not_divided(P):
+    K, R, _ = _right(P)
+    return K, R, np.linalg.svd(P)[2][-1][:3]
 
 
 def last_column_as_centre(P):
@@ -194,89 +273,3 @@ def sign_of_the_centre(P):
 def t_for_the_centre(P):
     K, R, centre = _right(P)
     return K, R, -R @ centre
-
-
-# --- correction_table -------------------------------------------------------------------------
-
-
-def _cells(pixels: Any, image_size: Any, shape: Any, edge: float = 0.5) -> Any:
-    width, height = image_size
-    rows, columns = shape
-    column = np.floor((pixels[:, 0] + edge) / width * columns).astype(int)
-    row = np.floor((pixels[:, 1] + edge) / height * rows).astype(int)
-    return row.clip(0, rows - 1), column.clip(0, columns - 1)
-
-
-def _table(cells: Any, residuals: Any, shape: Any, reduce: Any) -> Any:
-    row, column = cells
-    table = np.zeros((*shape, residuals.shape[1]))
-    for r, c in np.ndindex(*shape):
-        inside = residuals[(row == r) & (column == c)]
-        if len(inside):
-            table[r, c] = reduce(inside)
-    return table
-
-
-def _mean(inside: Any) -> Any:
-    return inside.mean(axis=0)
-
-
-def edge_at_zero(pixels, residuals, image_size, shape):
-    return _table(_cells(pixels, image_size, shape, 0), residuals, shape, _mean)
-
-
-def cells_rounded(pixels, residuals, image_size, shape):
-    rows, columns = shape
-    column = np.round((pixels[:, 0] + 0.5) / image_size[0] * columns).astype(int)
-    row = np.round((pixels[:, 1] + 0.5) / image_size[1] * rows).astype(int)
-    return _table((row, column), residuals, shape, _mean)
-
-
-def sum_for_mean(pixels, residuals, image_size, shape):
-    cells = _cells(pixels, image_size, shape)
-    return _table(cells, residuals, shape, lambda inside: inside.sum(axis=0))
-
-
-def median_for_mean(pixels, residuals, image_size, shape):
-    cells = _cells(pixels, image_size, shape)
-    return _table(cells, residuals, shape, lambda inside: np.median(inside, axis=0))
-
-
-def last_one_stays(pixels, residuals, image_size, shape):
-    return _table(_cells(pixels, image_size, shape), residuals, shape, lambda inside: inside[-1])
-
-
-def one_mean_for_u_and_v(pixels, residuals, image_size, shape):
-    return _table(_cells(pixels, image_size, shape), residuals, shape, np.mean)
-
-
-def nan_where_nothing_was_seen(pixels, residuals, image_size, shape):
-    row, column = _cells(pixels, image_size, shape)
-    table = _table((row, column), residuals, shape, _mean)
-    for r, c in np.ndindex(*shape):
-        if not ((row == r) & (column == c)).any():
-            table[r, c] = np.nan
-    return table
-
-
-def minus_the_mean(pixels, residuals, image_size, shape):
-    return -_table(_cells(pixels, image_size, shape), residuals, shape, _mean)
-
-
-def columns_before_rows(pixels, residuals, image_size, shape):
-    table = _table(_cells(pixels, image_size, shape), residuals, shape, _mean)
-    return table.transpose(1, 0, 2)
-
-
-def u_down_and_v_across(pixels, residuals, image_size, shape):
-    turned = pixels[:, ::-1] * np.divide(image_size, image_size[::-1])
-    return _table(_cells(turned, image_size, shape), residuals, shape, _mean)
-
-
-def rows_from_the_bottom(pixels, residuals, image_size, shape):
-    return _table(_cells(pixels, image_size, shape), residuals, shape, _mean)[::-1]
-
-
-def divided_by_all_points(pixels, residuals, image_size, shape):
-    cells = _cells(pixels, image_size, shape)
-    return _table(cells, residuals, shape, lambda inside: inside.sum(axis=0) / len(residuals))

@@ -17,6 +17,18 @@ def sums_divided(a, b):
     return np.sum(b) / np.sum(a)
 
 
+def middle_of_the_single_answers(a, b):
+    return np.median(b / a)
+
+
+def product_of_sums(a, b):
+    return np.sum(a) * np.sum(b) / np.sum(a**2)
+
+
+def square_of_the_sum(a, b):
+    return a @ b / np.sum(a) ** 2
+
+
 def first_equation_only(a, b):
     return b[0] / a[0]
 
@@ -33,6 +45,14 @@ def divided_by_the_length(a, b):
     return a @ b / np.linalg.norm(a)
 
 
+def divided_by_the_sum(a, b):
+    return a @ b / np.sum(a)
+
+
+def divided_by_the_number(a, b):
+    return a @ b / len(a)
+
+
 def divided_by_b(a, b):
     return b @ b / (a @ b)
 
@@ -47,6 +67,14 @@ def bracket_forgotten(a, b):
 
 def an_answer_for_each_equation(a, b):
     return b / a
+
+
+def products_not_added(a, b):
+    return a * b / a * a
+
+
+def squares_not_added(a, b):
+    return a @ b / a**2
 
 
 # --- fit_line ---------------------------------------------------------------------------------
@@ -93,6 +121,11 @@ def outermost_points(x, y):
     return slope, y[first] - slope * x[first]
 
 
+def extremes_of_both(x, y):
+    slope = (y.max() - y.min()) / (x.max() - x.min())
+    return slope, y.mean() - slope * x.mean()
+
+
 def first_two_points(x, y):
     slope = (y[1] - y[0]) / (x[1] - x[0])
     return slope, y[0] - slope * x[0]
@@ -108,6 +141,11 @@ def mean_y_as_intercept(x, y):
 
 def mean_of_slopes(x, y):
     slope = np.mean(np.diff(y) / np.diff(x))
+    return slope, y.mean() - slope * x.mean()
+
+
+def one_more_counted(x, y):
+    slope = np.cov(x, y)[0, 1] / np.var(x)
     return slope, y.mean() - slope * x.mean()
 
 
@@ -155,6 +193,27 @@ def inverse_of_a_table(points, targets):
 
 def no_translation(points, targets):
     return _solved(points, targets)
+
+
+def column_of_zeros(points, targets):
+    return _solved(np.column_stack([points, np.zeros(len(points))]), targets)
+
+
+def reshaped_for_transposed(points, targets):
+    return _solved(_with_ones(points), targets).T.reshape(2, 3)
+
+
+def _from_the_mean(points: Any, targets: Any) -> Any:
+    return _solved(points - points.mean(axis=0), targets - targets.mean(axis=0))
+
+
+def counted_from_the_mean(points, targets):
+    return np.column_stack([_from_the_mean(points, targets), targets.mean(axis=0)])
+
+
+def difference_of_the_means(points, targets):
+    shift = targets.mean(axis=0) - points.mean(axis=0)
+    return np.column_stack([_from_the_mean(points, targets), shift])
 
 
 def translation_from_the_means(points, targets):

@@ -6,101 +6,9 @@ from typing import Any
 
 import numpy as np
 
-# --- normalise_points -------------------------------------------------------------------------
-
-
-def _similarity(points: Any, scale: Any, centre: Any) -> Any:
-    d = points.shape[1]
-    T = np.eye(d + 1)
-    T[range(d), range(d)] = scale
-    T[:d, d] = -scale * centre
-    return scale * (points - centre), T
-
-
-def _mean_distance(points: Any, centre: Any) -> Any:
-    return np.linalg.norm(points - centre, axis=1).mean()
-
-
-def distance_of_one(points):
-    centre = points.mean(axis=0)
-    return _similarity(points, 1 / _mean_distance(points, centre), centre)
-
-
-def root_two_in_space_too(points):
-    centre = points.mean(axis=0)
-    return _similarity(points, np.sqrt(2) / _mean_distance(points, centre), centre)
-
-
-def root_mean_square_distance(points):
-    centre = points.mean(axis=0)
-    squares = ((points - centre) ** 2).sum(axis=1)
-    return _similarity(points, np.sqrt(points.shape[1] / squares.mean()), centre)
-
-
-def each_axis_by_itself(points):
-    centre = points.mean(axis=0)
-    return _similarity(points, 1 / points.std(axis=0), centre)
-
-
-def each_axis_to_one(points):
-    centre = points.mean(axis=0)
-    return _similarity(points, 1 / np.abs(points - centre).mean(axis=0), centre)
-
-
-def distance_before_the_shift(points):
-    scale = np.sqrt(points.shape[1]) / np.linalg.norm(points, axis=1).mean()
-    return _similarity(points, scale, points.mean(axis=0))
-
-
-def scaled_the_other_way(points):
-    centre = points.mean(axis=0)
-    return _similarity(points, _mean_distance(points, centre) / np.sqrt(points.shape[1]), centre)
-
-
-def shift_not_scaled_in_T(points):
-    centre = points.mean(axis=0)
-    normalised, T = _similarity(
-        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
-    )
-    T[:-1, -1] = -centre
-    return normalised, T
-
-
-def shift_to_the_wrong_side_in_T(points):
-    centre = points.mean(axis=0)
-    normalised, T = _similarity(
-        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
-    )
-    T[:-1, -1] *= -1
-    return normalised, T
-
-
-def T_of_the_way_back(points):
-    centre = points.mean(axis=0)
-    normalised, T = _similarity(
-        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
-    )
-    return normalised, np.linalg.inv(T)
-
-
-def one_mean_for_all_axes(points):
-    scale = np.sqrt(points.shape[1]) / _mean_distance(points, points.mean())
-    return _similarity(points, scale, np.full(points.shape[1], points.mean()))
-
-
-def T_before_the_points(points):
-    centre = points.mean(axis=0)
-    return _similarity(points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre)[
-        ::-1
-    ]
-
+from course_lib.homography import normalise_points
 
 # --- homography_dlt ---------------------------------------------------------------------------
-
-
-def _usual(points: Any) -> Any:
-    centre = points.mean(axis=0)
-    return _similarity(points, np.sqrt(2) / _mean_distance(points, centre), centre)
 
 
 def _design(points: Any, targets: Any, sign: int = -1) -> Any:
@@ -124,21 +32,23 @@ def numbers_as_they_come(points, targets):
 
 
 def only_the_targets_normalised(points, targets):
-    q, T = _usual(targets)
+    q, T = normalise_points(targets)
     return _scaled(np.linalg.inv(T) @ _vectors(points, q)[-1].reshape(3, 3))
 
 
 def only_the_points_normalised(points, targets):
-    p, T = _usual(points)
+    p, T = normalise_points(points)
     return _scaled(_vectors(p, targets)[-1].reshape(3, 3) @ T)
 
 
 def still_normalised(points, targets):
-    return _scaled(_vectors(_usual(points)[0], _usual(targets)[0])[-1].reshape(3, 3))
+    return _scaled(
+        _vectors(normalise_points(points)[0], normalise_points(targets)[0])[-1].reshape(3, 3)
+    )
 
 
 def _between(points: Any, targets: Any) -> Any:
-    (p, T_points), (q, T_targets) = _usual(points), _usual(targets)
+    (p, T_points), (q, T_targets) = normalise_points(points), normalise_points(targets)
     return T_points, _vectors(p, q)[-1].reshape(3, 3), T_targets
 
 
@@ -162,8 +72,38 @@ def undone_with_one_matrix(points, targets):
     return _scaled(np.linalg.inv(T_points) @ H @ T_points)
 
 
+def both_from_the_left(points, targets):
+    T_points, H, T_targets = _between(points, targets)
+    return _scaled(T_points @ H @ T_targets)
+
+
+def targets_done_once_more(points, targets):
+    T_points, H, T_targets = _between(points, targets)
+    return _scaled(T_targets @ H @ T_points)
+
+
+def both_undone(points, targets):
+    T_points, H, T_targets = _between(points, targets)
+    return _scaled(np.linalg.inv(T_targets) @ H @ np.linalg.inv(T_points))
+
+
+def points_left_normalised(points, targets):
+    _, H, T_targets = _between(points, targets)
+    return _scaled(np.linalg.inv(T_targets) @ H)
+
+
+def targets_left_normalised(points, targets):
+    T_points, H, _ = _between(points, targets)
+    return _scaled(H @ T_points)
+
+
+def transposed_for_inverted(points, targets):
+    T_points, H, T_targets = _between(points, targets)
+    return _scaled(T_targets.T @ H @ T_points)
+
+
 def _solved_by(pick: Any, points: Any, targets: Any) -> Any:
-    (p, T_points), (q, T_targets) = _usual(points), _usual(targets)
+    (p, T_points), (q, T_targets) = normalise_points(points), normalise_points(targets)
     return _scaled(np.linalg.inv(T_targets) @ pick(_design(p, q)).reshape(3, 3) @ T_points)
 
 
@@ -175,6 +115,25 @@ def last_column_of_the_transposed(points, targets):
     return _solved_by(lambda A: np.linalg.svd(A)[2][:, -1], points, targets)
 
 
+def _in_blocks(A: Any) -> Any:
+    """Return the rows of all first coordinates, then those of all second ones."""
+    return np.concatenate([A[::2], A[1::2]])
+
+
+def last_column_with_rows_in_blocks(points, targets):
+    return _solved_by(lambda A: np.linalg.svd(_in_blocks(A))[2][:, -1], points, targets)
+
+
+def row_of_eigenvectors(points, targets):
+    return _solved_by(lambda A: np.linalg.eigh(A.T @ A)[1][0], points, targets)
+
+
+def row_of_eigenvectors_from_blocks(points, targets):
+    return _solved_by(
+        lambda A: np.linalg.eigh(_in_blocks(A).T @ _in_blocks(A))[1][0], points, targets
+    )
+
+
 def read_column_by_column(points, targets):
     return _solved_by(
         lambda A: np.linalg.svd(A)[2][-1].reshape(3, 3).T,
@@ -184,9 +143,23 @@ def read_column_by_column(points, targets):
 
 
 def wrong_sign_in_the_rows(points, targets):
-    (p, T_points), (q, T_targets) = _usual(points), _usual(targets)
+    (p, T_points), (q, T_targets) = normalise_points(points), normalise_points(targets)
     H = np.linalg.svd(_design(p, q, sign=1))[2][-1].reshape(3, 3)
     return _scaled(np.linalg.inv(T_targets) @ H @ T_points)
+
+
+def one_for_the_target(points, targets):
+    def without_target(A: Any) -> Any:
+        A = A.copy()
+        A[:, 8] = -1
+        return np.linalg.svd(A)[2][-1]
+
+    return _solved_by(without_target, points, targets)
+
+
+def from_targets_to_points_inside(points, targets):
+    T_points, H, T_targets = _between(targets, points)
+    return _scaled(np.linalg.inv(T_points) @ H @ T_targets)
 
 
 def from_targets_to_points(points, targets):
@@ -202,57 +175,3 @@ def only_affine(points, targets):
 def first_four_points(points, targets):
     T_points, H, T_targets = _between(points[:4], targets[:4])
     return _scaled(np.linalg.inv(T_targets) @ H @ T_points)
-
-
-# --- apply_homography -------------------------------------------------------------------------
-
-
-def _images(points: Any, H: Any) -> Any:
-    return np.concatenate([points, np.ones_like(points[..., :1])], axis=-1) @ H.T
-
-
-def _finite(w: Any) -> Any:
-    return np.where(w == 0, np.nan, w)
-
-
-def not_divided(points, H):
-    return _images(points, H)[..., :2]
-
-
-def matrix_not_transposed(points, H):
-    x = np.concatenate([points, np.ones_like(points[..., :1])], axis=-1) @ H
-    return x[..., :2] / _finite(x[..., 2:])
-
-
-def zero_for_one(points, H):
-    x = np.concatenate([points, np.zeros_like(points[..., :1])], axis=-1) @ H.T
-    return x[..., :2] / _finite(x[..., 2:])
-
-
-def way_back(points, H):
-    x = _images(points, np.linalg.inv(H))
-    return x[..., :2] / _finite(x[..., 2:])
-
-
-def one_divisor_for_all(points, H):
-    return _images(points, H)[..., :2] / H[2, 2]
-
-
-def three_numbers_for_a_point(points, H):
-    x = _images(points, H)
-    return x / _finite(x[..., 2:])
-
-
-def infinity_divided(points, H):
-    x = _images(points, H)
-    return x[..., :2] / x[..., 2:]
-
-
-def infinity_left_undivided(points, H):
-    x = _images(points, H)
-    return x[..., :2] / np.where(x[..., 2:] == 0, 1, x[..., 2:])
-
-
-def v_before_u(points, H):
-    x = _images(points, H)
-    return x[..., 1::-1] / _finite(x[..., 2:])

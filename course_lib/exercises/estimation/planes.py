@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from course_lib import homography
 from course_lib.exercises.estimation import misconceptions_planes as wrong
+from course_lib.exercises.estimation import misconceptions_points as wrong_points
 from course_lib.exercises.estimation import plane_inputs as inputs
 from course_lib.judging import Exercise, Misconception, Part, UpToScale
 
@@ -19,40 +20,46 @@ APPLY_HOMOGRAPHY = Exercise(
     },
     misconceptions=[
         Misconception(
-            wrong.not_divided,
+            wrong_points.not_divided,
             "H gives three numbers for a point. Which step makes two coordinates of them?",
         ),
         Misconception(
-            wrong.matrix_not_transposed,
+            wrong_points.matrix_not_transposed,
             "Points are rows here. What must happen to a matrix that multiplies from the right?",
         ),
         Misconception(
-            wrong.zero_for_one,
+            wrong_points.zero_for_one,
             "A zero at the end of a row means a direction. Which number means a point?",
         ),
         Misconception(
-            wrong.way_back,
+            wrong_points.way_back,
             "Your map undoes H. In which direction were the points to go?",
         ),
         Misconception(
-            wrong.one_divisor_for_all,
+            wrong_points.one_divisor_for_all,
             "You divide all points by the same number. Does every point have the same w?",
         ),
         Misconception(
-            wrong.three_numbers_for_a_point,
+            wrong_points.three_numbers_for_a_point,
             "How many coordinates has a point of the plane, and how many do you return?",
         ),
         Misconception(
-            wrong.infinity_divided,
+            wrong_points.infinity_divided,
             "What does a division by zero give, and what does the task want for such a point?",
         ),
         Misconception(
-            wrong.infinity_left_undivided,
+            wrong_points.infinity_left_undivided,
             "A point with w of zero gets ordinary coordinates from you. Is it anywhere in the "
             "plane?",
+            also=[wrong_points.infinity_made_zero, wrong_points.infinity_made_far],
         ),
         Misconception(
-            wrong.v_before_u,
+            wrong_points.sign_of_w_dropped,
+            "You take the sign of w away. What if all three numbers are negative: is it another "
+            "point then?",
+        ),
+        Misconception(
+            wrong_points.v_before_u,
             "Which row of H makes the first coordinate?",
         ),
     ],
@@ -70,48 +77,73 @@ NORMALISE_POINTS = Exercise(
     },
     misconceptions=[
         Misconception(
-            wrong.distance_of_one,
+            wrong_points.distance_of_one,
             "How far from the origin are your points on average, and how far should they be?",
+            also=[
+                wrong_points.distance_of_d,
+                wrong_points.farthest_point,
+                wrong_points.farthest_point_at_one,
+            ],
         ),
         Misconception(
-            wrong.root_two_in_space_too,
-            "In the plane you are right. Which distance does the task want for points of space?",
+            wrong_points.length_of_the_whole_table,
+            "Of what did you take the mean? There is one distance for each point, made of all its "
+            "coordinates.",
+            also=[wrong_points.lengths_of_columns, wrong_points.mean_of_all_numbers],
         ),
         Misconception(
-            wrong.root_mean_square_distance,
+            wrong_points.root_two_in_space_too,
+            "In the plane you are right. Which distance does the task want for points of space, "
+            "and how large is T there?",
+            also=[wrong_points.root_two_and_T_of_the_plane],
+        ),
+        Misconception(
+            wrong_points.root_mean_square_distance,
             "You average squares and take the root at the end. Of what is the mean asked for?",
         ),
         Misconception(
-            wrong.each_axis_by_itself,
+            wrong_points.each_axis_by_itself,
             "You stretch each axis by a factor of its own. How many factors does the task allow?",
-            also=[wrong.each_axis_to_one],
+            also=[wrong_points.each_axis_to_one],
         ),
         Misconception(
-            wrong.distance_before_the_shift,
+            wrong_points.distance_before_the_shift,
             "From where did you measure the distances: from the origin, or from the mean?",
         ),
         Misconception(
-            wrong.scaled_the_other_way,
+            wrong_points.scaled_the_other_way,
             "Points that are spread widely: should your factor be large for them, or small?",
         ),
         Misconception(
-            wrong.shift_not_scaled_in_T,
+            wrong_points.shift_not_scaled_in_T,
             "Your points are right, T is not. Is the shift made before the scaling, or after it?",
         ),
         Misconception(
-            wrong.shift_to_the_wrong_side_in_T,
-            "Your points are right, T is not. Where does T send the mean of the points?",
+            wrong_points.shift_to_the_wrong_side_in_T,
+            "Your points are right, T is not. Put the mean of the points into T, with a 1 at the "
+            "end: does zero come out, and again a 1?",
+            also=[
+                wrong_points.T_transposed,
+                wrong_points.corner_of_T_scaled,
+                wrong_points.shift_divided_in_T,
+            ],
         ),
         Misconception(
-            wrong.T_of_the_way_back,
+            wrong_points.T_of_the_way_back,
             "Your points are right. Which way does your T lead: to the normalised points, or back?",
         ),
         Misconception(
-            wrong.one_mean_for_all_axes,
+            wrong_points.scaled_before_the_shift,
+            "Where is the mean of your points now? It should be the origin: of what did you take "
+            "away the mean, and when?",
+            also=[wrong_points.median_for_the_middle],
+        ),
+        Misconception(
+            wrong_points.one_mean_for_all_axes,
             "You take one mean of all numbers. How many coordinates has the middle of the points?",
         ),
         Misconception(
-            wrong.T_before_the_points,
+            wrong_points.T_before_the_points,
             "You return the right two things. In which order are they asked for?",
         ),
     ],
@@ -144,16 +176,24 @@ HOMOGRAPHY_DLT = Exercise(
         Misconception(
             wrong.still_normalised,
             "Your H takes normalised points to normalised targets. How do you get in and out?",
+            also=[wrong.points_left_normalised, wrong.targets_left_normalised],
         ),
         Misconception(
             wrong.undone_in_the_wrong_order,
             "A point meets the rightmost matrix first. Which of the two T is made for points?",
-            also=[wrong.undone_on_the_wrong_side],
+            also=[wrong.undone_on_the_wrong_side, wrong.both_from_the_left],
         ),
         Misconception(
             wrong.done_once_more,
             "Put a point into your product, from right to left: is it first normalised, or first "
             "taken back?",
+            also=[wrong.both_undone],
+        ),
+        Misconception(
+            wrong.targets_done_once_more,
+            "On the right your product is fine. The last matrix that acts on a target: does it "
+            "normalise, or undo it?",
+            also=[wrong.transposed_for_inverted],
         ),
         Misconception(
             wrong.undone_with_one_matrix,
@@ -165,7 +205,13 @@ HOMOGRAPHY_DLT = Exercise(
         ),
         Misconception(
             wrong.last_column_of_the_transposed,
-            "NumPy gives the vectors already transposed. Are they rows or columns then?",
+            "The right vector is there, but you took numbers from all of them. Does NumPy give the "
+            "vectors as rows here, or as columns?",
+            also=[
+                wrong.last_column_with_rows_in_blocks,
+                wrong.row_of_eigenvectors,
+                wrong.row_of_eigenvectors_from_blocks,
+            ],
         ),
         Misconception(
             wrong.read_column_by_column,
@@ -176,8 +222,13 @@ HOMOGRAPHY_DLT = Exercise(
             "Bring everything to one side of the equation. Which sign do the last three get?",
         ),
         Misconception(
+            wrong.one_for_the_target,
+            "Look at the last entry of each row of A. Where has the target gone?",
+        ),
+        Misconception(
             wrong.from_targets_to_points,
             "Your H leads from the targets to the points. Which way was asked for?",
+            also=[wrong.from_targets_to_points_inside],
         ),
         Misconception(
             wrong.only_affine,

@@ -1,0 +1,242 @@
+"""Wrong answers to the exercises of chapter 06 on applying a homography and normalising."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+# --- apply_homography -------------------------------------------------------------------------
+
+
+def _images(points: Any, H: Any) -> Any:
+    return np.concatenate([points, np.ones_like(points[..., :1])], axis=-1) @ H.T
+
+
+def _finite(w: Any) -> Any:
+    return np.where(w == 0, np.nan, w)
+
+
+def not_divided(points, H):
+    return _images(points, H)[..., :2]
+
+
+def matrix_not_transposed(points, H):
+    x = np.concatenate([points, np.ones_like(points[..., :1])], axis=-1) @ H
+    return x[..., :2] / _finite(x[..., 2:])
+
+
+def zero_for_one(points, H):
+    x = np.concatenate([points, np.zeros_like(points[..., :1])], axis=-1) @ H.T
+    return x[..., :2] / _finite(x[..., 2:])
+
+
+def way_back(points, H):
+    x = _images(points, np.linalg.inv(H))
+    return x[..., :2] / _finite(x[..., 2:])
+
+
+def one_divisor_for_all(points, H):
+    return _images(points, H)[..., :2] / H[2, 2]
+
+
+def three_numbers_for_a_point(points, H):
+    x = _images(points, H)
+    return x / _finite(x[..., 2:])
+
+
+def infinity_divided(points, H):
+    x = _images(points, H)
+    return x[..., :2] / x[..., 2:]
+
+
+def infinity_left_undivided(points, H):
+    x = _images(points, H)
+    return x[..., :2] / np.where(x[..., 2:] == 0, 1, x[..., 2:])
+
+
+def infinity_made_zero(points, H):
+    x = _images(points, H)
+    return np.where(x[..., 2:] == 0, 0, x[..., :2] / _finite(x[..., 2:]))
+
+
+def infinity_made_far(points, H):
+    x = _images(points, H)
+    return x[..., :2] / np.where(x[..., 2:] == 0, 1e-12, x[..., 2:])
+
+
+def sign_of_w_dropped(points, H):
+    x = _images(points, H)
+    return x[..., :2] / np.abs(_finite(x[..., 2:]))
+
+
+def v_before_u(points, H):
+    x = _images(points, H)
+    return x[..., 1::-1] / _finite(x[..., 2:])
+
+
+# --- normalise_points -------------------------------------------------------------------------
+
+
+def _similarity(points: Any, scale: Any, centre: Any) -> Any:
+    d = points.shape[1]
+    T = np.eye(d + 1)
+    T[range(d), range(d)] = scale
+    T[:d, d] = -scale * centre
+    return scale * (points - centre), T
+
+
+def _mean_distance(points: Any, centre: Any) -> Any:
+    return np.linalg.norm(points - centre, axis=1).mean()
+
+
+def distance_of_one(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, 1 / _mean_distance(points, centre), centre)
+
+
+def distance_of_d(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, points.shape[1] / _mean_distance(points, centre), centre)
+
+
+def farthest_point(points):
+    centre = points.mean(axis=0)
+    farthest = np.linalg.norm(points - centre, axis=1).max()
+    return _similarity(points, np.sqrt(points.shape[1]) / farthest, centre)
+
+
+def farthest_point_at_one(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, 1 / np.linalg.norm(points - centre, axis=1).max(), centre)
+
+
+def length_of_the_whole_table(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, np.sqrt(points.shape[1]) / np.linalg.norm(points - centre), centre)
+
+
+def lengths_of_columns(points):
+    centre = points.mean(axis=0)
+    lengths = np.linalg.norm(points - centre, axis=0)
+    return _similarity(points, np.sqrt(points.shape[1]) / lengths.mean(), centre)
+
+
+def mean_of_all_numbers(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, np.sqrt(points.shape[1]) / np.abs(points - centre).mean(), centre)
+
+
+def root_two_and_T_of_the_plane(points):
+    normalised, T = root_two_of(points)
+    return normalised, T if len(T) == 3 else np.delete(np.delete(T, 2, axis=0), 2, axis=1)
+
+
+def root_two_of(points: Any) -> Any:
+    centre = points.mean(axis=0)
+    return _similarity(points, np.sqrt(2) / _mean_distance(points, centre), centre)
+
+
+def root_two_in_space_too(points):
+    return root_two_of(points)
+
+
+def root_mean_square_distance(points):
+    centre = points.mean(axis=0)
+    squares = ((points - centre) ** 2).sum(axis=1)
+    return _similarity(points, np.sqrt(points.shape[1] / squares.mean()), centre)
+
+
+def each_axis_by_itself(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, 1 / points.std(axis=0), centre)
+
+
+def each_axis_to_one(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, 1 / np.abs(points - centre).mean(axis=0), centre)
+
+
+def distance_before_the_shift(points):
+    scale = np.sqrt(points.shape[1]) / np.linalg.norm(points, axis=1).mean()
+    return _similarity(points, scale, points.mean(axis=0))
+
+
+def scaled_the_other_way(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, _mean_distance(points, centre) / np.sqrt(points.shape[1]), centre)
+
+
+def shift_not_scaled_in_T(points):
+    centre = points.mean(axis=0)
+    normalised, T = _similarity(
+        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
+    )
+    T[:-1, -1] = -centre
+    return normalised, T
+
+
+def shift_to_the_wrong_side_in_T(points):
+    centre = points.mean(axis=0)
+    normalised, T = _similarity(
+        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
+    )
+    T[:-1, -1] *= -1
+    return normalised, T
+
+
+def T_transposed(points):
+    centre = points.mean(axis=0)
+    normalised, T = _similarity(
+        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
+    )
+    return normalised, T.T
+
+
+def corner_of_T_scaled(points):
+    centre = points.mean(axis=0)
+    normalised, T = _similarity(
+        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
+    )
+    T[-1, -1] = T[0, 0]
+    return normalised, T
+
+
+def shift_divided_in_T(points):
+    centre = points.mean(axis=0)
+    scale = np.sqrt(points.shape[1]) / _mean_distance(points, centre)
+    normalised, T = _similarity(points, scale, centre)
+    T[:-1, -1] = -centre / scale
+    return normalised, T
+
+
+def scaled_before_the_shift(points):
+    centre = points.mean(axis=0)
+    scale = np.sqrt(points.shape[1]) / _mean_distance(points, centre)
+    return scale * points - centre, _similarity(points, scale, centre)[1]
+
+
+def median_for_the_middle(points):
+    centre = np.median(points, axis=0)
+    scale = np.sqrt(points.shape[1]) / _mean_distance(points, centre)
+    return _similarity(points, scale, centre)
+
+
+def T_of_the_way_back(points):
+    centre = points.mean(axis=0)
+    normalised, T = _similarity(
+        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
+    )
+    return normalised, np.linalg.inv(T)
+
+
+def one_mean_for_all_axes(points):
+    scale = np.sqrt(points.shape[1]) / _mean_distance(points, points.mean())
+    return _similarity(points, scale, np.full(points.shape[1], points.mean()))
+
+
+def T_before_the_points(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre)[
+        ::-1
+    ]
