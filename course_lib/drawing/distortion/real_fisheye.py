@@ -107,7 +107,7 @@ def fisheye_photograph(angles: tuple[float, float] = (100, 140)) -> Figure:
     """
     picture, *_, real = fisheye_camera()
     fig, axes = panels(1, 3, (FULL_WIDTH, 2.9))
-    views = [picture, *(pinhole_view(np.radians(a)) for a in angles)]
+    views = [picture[: picture.shape[1]], *(pinhole_view(np.radians(a)) for a in angles)]
     titles = ["Fisheye" if real else "Fisheye (computed)", *(f"Pinhole, {a:g}°" for a in angles)]
     for ax, view, title in zip(axes, views, titles, strict=True):
         ax.imshow(view)
