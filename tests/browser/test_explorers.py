@@ -259,6 +259,25 @@ def test_a_spot_of_a_picture_can_be_dragged(page):
     assert root.get_attribute("data-frame") == frame
 
 
+def test_a_spot_that_moves_one_control_stays_in_its_column(page):
+    root = page.get_by_role("region", name=EXPLORERS["line"][2])
+    root.scroll_into_view_if_needed()
+    height, slope = root.get_by_role("slider", name="Height"), root.get_by_role("slider").first
+    before = float(height.get_attribute("aria-valuetext")), slope.get_attribute("aria-valuetext")
+    box = root.get_by_role("img").first.bounding_box()
+    scale, mouse = box["width"] / 440, page.mouse
+    at = [box["x"] + 52.5 * scale, box["y"] + (296.5 - 268 * (before[0] + 100) / 700) * scale]
+    mouse.move(*at)
+    mouse.down()
+    mouse.move(at[0] + 60 * scale, at[1] + 30 * scale, steps=8)
+    mouse.up()
+    settle(root)
+    moved = before[0] - float(height.get_attribute("aria-valuetext"))
+    assert abs(moved - 30 * 700 / 268) <= 3
+    assert slope.get_attribute("aria-valuetext") == before[1]
+    root.get_by_role("button", name="Reset").click()
+
+
 def test_choices_and_switches_change_the_picture(page):
     focal = page.get_by_role("region", name=EXPLORERS["focal"][2])
     before = photograph(focal)
