@@ -6,6 +6,7 @@ type, shape, values, so that the first thing to mend comes first.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -55,25 +56,37 @@ def _numeric(got: Any, expected: NDArray[Any]) -> NDArray[Any] | Mismatch:
             f"The answer is None, and {describe(expected)} was expected. Is the `return` missing?"
         )
         return Mismatch("type", message)
-    wrong_type = Mismatch(
-        "type", f"The answer is {describe(got)}; {describe(expected)} was expected."
-    )
     if isinstance(got, str | dict | bool):
-        return wrong_type
+        return _other_than(got, expected)
     if not expected.ndim and _has_decimal_comma(got):
         whole, part = got
-        message = f"{wrong_type.message} Python writes decimals with a point: `{whole}.{part}`."
-        return Mismatch("type", message)
+        hint = f" Python writes decimals with a point: `{whole}.{part}`."
+        return _other_than(got, expected, hint)
     try:
         array = np.asarray(got)
     except ValueError:  # rows of different length
-        return wrong_type
+        return _other_than(got, expected)
     if array.dtype.kind not in "iuf":
-        return wrong_type
+        return _other_than(got, expected)
     if array.shape != expected.shape:
         hint = " Points are rows here: is it transposed?" if _is_transposed(array, expected) else ""
-        return Mismatch("shape", wrong_type.message + hint)
+        return Mismatch("shape", _other_than(got, expected, hint).message)
     return array.astype(float)
+
+
+def _other_than(got: Any, expected: NDArray[Any], hint: str = "") -> Mismatch:
+    """Say that an answer is of another type than the one expected."""
+    message = f"The answer is {describe(got)}; {describe(expected)} was expected.{hint}"
+    return Mismatch("type", message)
+
+
+def _close(array: NDArray[Any], truth: NDArray[Any], rtol: float, atol: float) -> NDArray[Any]:
+    """Return what `np.isclose` does, with NaN equal to NaN, for single numbers in a tenth."""
+    if truth.ndim:
+        return np.asarray(np.isclose(array, truth, rtol=rtol, atol=atol, equal_nan=True))
+    got, wanted = float(array), float(truth)
+    near = math.isfinite(wanted) and abs(got - wanted) <= atol + rtol * abs(wanted)
+    return np.asarray(got == wanted or near or (math.isnan(got) and math.isnan(wanted)))
 
 
 def _has_decimal_comma(got: Any) -> bool:
@@ -109,7 +122,7 @@ class Close:
         array = _numeric(got, truth)
         if isinstance(array, Mismatch):
             return array
-        right = np.isclose(array, truth, rtol=self.rtol, atol=self.atol, equal_nan=True)
+        right = _close(array, truth, self.rtol, self.atol)
         return None if right.all() else self._values(array, truth, right)
 
     def _values(self, array: NDArray[Any], truth: NDArray[Any], right: NDArray[Any]) -> Mismatch:
@@ -120,7 +133,7 @@ class Close:
         if np.isinf(truth[~right]).all():
             which = "Some values" if truth.ndim else "The value"
             return Mismatch("values", f"{which} should be infinite (`np.inf`) and not a number.")
-        if np.isclose(array, truth, rtol=3e-3, atol=0, equal_nan=True).all():
+        if _close(array, truth, 3e-3, 0.0).all():
             nearly = "Nearly right, less than 0.3 % off. Is it rounded, or a small thing missing?"
             return Mismatch("values", nearly)
         if array.ndim == 0:

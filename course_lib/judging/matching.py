@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from course_lib.judging.answering import Answer, answer
+from course_lib.judging.answering import Answer, own_answers
 from course_lib.judging.comparison import Close, Comparison, Exactly, Mismatch
 from course_lib.judging.exercise import Case, Exercise, Misconception
 
@@ -36,7 +36,9 @@ def find_misconceptions(
     """
     if not wrong:
         return []
-    agreements = {m.name: _agreement(exercise, m, cases, answers) for m in exercise.misconceptions}
+    agreements = {
+        m.name: _agreement(exercise, m, cases, answers, wrong) for m in exercise.misconceptions
+    }
 
     def explaining(some: Sequence[int]) -> list[Misconception]:
         """Of those that agree with some answers, return the one that agrees with most others."""
@@ -65,12 +67,25 @@ def _agreement(
     misconception: Misconception,
     cases: Sequence[Case],
     answers: Sequence[Answer],
+    wrong: Sequence[int],
 ) -> list[bool]:
+    """Return which answers a misconception gives too.
+
+    A part is left at the first wrong answer that it does not give: it does not explain that part.
+    """
     compare = misconception.compare or exercise.compare
+    by_part = [[i for i, case in enumerate(cases) if case.part == p] for p in exercise.parts]
 
     def agreement(variant: Callable[..., Any]) -> list[bool]:
-        outcomes = answer(exercise, variant, cases)
-        return [_alike(compare, a, o) for a, o in zip(answers, outcomes, strict=True)]
+        agrees = [False] * len(cases)
+        for part in by_part:
+            first_wrong = sorted(part, key=lambda i: i not in wrong)
+            outcomes = own_answers(exercise, variant, (cases[i] for i in first_wrong))
+            for i, outcome in zip(first_wrong, outcomes, strict=True):
+                agrees[i] = _alike(compare, answers[i], outcome)
+                if i in wrong and not agrees[i]:
+                    break
+        return agrees
 
     ways = [agreement(variant) for variant in (misconception.variant, *misconception.also)]
     return max(ways, key=lambda way: _explained(cases, way))
@@ -86,7 +101,8 @@ def _explained(cases: Sequence[Case], agreement: Sequence[bool]) -> tuple[int, i
 def _alike(compare: Comparison, given: Answer, outcome: Answer) -> bool:
     if given.status != "value" or outcome.status != "value":
         return (given.status, given.error) == (outcome.status, outcome.error)
-    return any(_agrees(way, given, outcome) for way in (compare, Close(), Exactly()))
+    ways = [compare, *(way for way in (Close(), Exactly()) if way != compare)]
+    return any(_agrees(way, given, outcome) for way in ways)
 
 
 def _agrees(compare: Comparison, given: Answer, outcome: Answer) -> bool:
