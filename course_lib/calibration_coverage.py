@@ -19,7 +19,7 @@ from course_lib.calibration_refinement import minimised
 from course_lib.calibration_result import Calibration
 from course_lib.calibration_start import minimum, view_homographies
 from course_lib.calibration_views import Views, gather_views
-from course_lib.checks import Array, check_rotation, check_size
+from course_lib.checks import Array, check_points, check_rotation, check_size
 from course_lib.distortion import undistort_pixels
 from course_lib.zhang import pose_from_homography
 
@@ -83,7 +83,10 @@ def coverage(
            [0, 1]])
     """
     size, (columns, rows) = check_size(image_size, "image_size"), check_size(cells, "cells")
-    pixels = np.concatenate([np.atleast_2d(np.asarray(view, float)) for view in image_points])
+    listed = [np.atleast_2d(check_points(v, 2, "the pixels of a view")) for v in image_points]
+    if not sum(map(len, listed)):
+        raise ValueError("there are no points: was the board found in none of the pictures?")
+    pixels = np.concatenate(listed)
     # Pixel centres are whole numbers, so the picture begins at -0.5.
     edges = [
         np.linspace(-0.5, side - 0.5, int(n) + 1)
@@ -128,7 +131,7 @@ def board_tilts(poses: Sequence[tuple[ArrayLike, ArrayLike]]) -> tuple[Array, Ar
     >>> tilts, directions
     (array([0.5]), array([0.]))
     """
-    normals = np.array([check_rotation(R)[:, 2] for R, _ in poses])
+    normals = np.array([check_rotation(R)[:, 2] for R, _ in poses]).reshape(-1, 3)
     normals = normals * np.where(normals[:, 2:] < 0, -1, 1)
     # With the normal (a, b, c), c > 0, depth grows by (-a, -b) / c: the near edge is at (a, b).
     tilts = np.arccos(np.clip(normals[:, 2], -1, 1))
