@@ -49,7 +49,7 @@ def to_homogeneous(points: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> to_homogeneous([[3, 4], [5, 6]])
+    >>> to_homogeneous(np.array([[3.0, 4.0], [5.0, 6.0]]))
     array([[3., 4., 1.],
            [5., 6., 1.]])
     """
@@ -81,7 +81,7 @@ def from_homogeneous(points: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> from_homogeneous([[6, 8, 2], [1, 1, 0]])
+    >>> from_homogeneous(np.array([[6, 8, 2], [1, 1, 0]]))
     array([[ 3.,  4.],
            [nan, nan]])
     """
@@ -117,7 +117,7 @@ def line_through(p: ArrayLike, q: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> line_through([0, 1, 1], [1, 1, 1])  # y = 1
+    >>> line_through(np.array([0.0, 1, 1]), np.array([1.0, 1, 1]))  # y = 1
     array([ 0.,  1., -1.])
     """
     p, q = check_directions(p, "p"), check_directions(q, "q")
@@ -151,9 +151,9 @@ def meet(l: ArrayLike, m: ArrayLike) -> Array:  # noqa: E741 (the formula's name
 
     Examples
     --------
-    >>> meet([1, 0, -2], [0, 1, -3])  # x = 2 and y = 3
+    >>> meet(np.array([1.0, 0, -2]), np.array([0.0, 1, -3]))  # x = 2 and y = 3
     array([2., 3., 1.])
-    >>> meet([1, 0, -2], [1, 0, -5])  # x = 2 and x = 5: the direction of both
+    >>> meet(np.array([1.0, 0, -2]), np.array([1.0, 0, -5]))  # x = 2 and x = 5 meet at infinity
     array([0., 3., 0.])
     """
     first, second = check_directions(l, "l"), check_directions(m, "m")

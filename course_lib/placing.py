@@ -46,7 +46,8 @@ def camera_centre(R: ArrayLike, t: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> camera_centre([[0, -1, 0], [1, 0, 0], [0, 0, 1]], [1, 2, 3])
+    >>> R = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    >>> camera_centre(R, np.array([1.0, 2, 3]))
     array([-2.,  1., -3.])
     """
     R, t = check_rotation(R), check_vector(t, 3, "t")
@@ -79,7 +80,7 @@ def pose_from_placement(R_camera: ArrayLike, centre: ArrayLike) -> tuple[Array, 
 
     Examples
     --------
-    >>> pose_from_placement(np.eye(3), [0, 0, -5])[1]
+    >>> pose_from_placement(np.eye(3), np.array([0, 0, -5]))[1]
     array([0., 0., 5.])
     """
     R, centre = check_rotation(R_camera).T, check_vector(centre, 3, "centre")
@@ -165,7 +166,7 @@ def cv_from_graphics_camera(world_from_camera: ArrayLike) -> tuple[Array, Array]
     Examples
     --------
     >>> R, t = cv_from_graphics_camera(np.eye(4))
-    >>> R @ [0, 0, -1]  # what the graphics camera looks at is ahead of ours
+    >>> R @ np.array([0, 0, -1])  # what the graphics camera looks at is ahead of ours
     array([0., 0., 1.])
     """
     R_graphics, centre = pose_from_matrix(world_from_camera)
@@ -209,7 +210,7 @@ def gimbal_pose(
 
     Examples
     --------
-    >>> R, t = gimbal_pose(0, np.pi / 2, mount=(0, 0, 0), offset=(0, 0, 0))
+    >>> R, t = gimbal_pose(0, np.pi / 2, mount=np.zeros(3), offset=np.zeros(3))
     >>> R.T[:, 2].round()  # its z axis points to the zenith
     array([0., 0., 1.])
     """

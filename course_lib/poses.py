@@ -112,7 +112,7 @@ def invert_pose(R: ArrayLike, t: ArrayLike) -> tuple[Array, Array]:
 
     Examples
     --------
-    >>> invert_pose(np.eye(3), [1, 2, 3])[1]
+    >>> invert_pose(np.eye(3), np.array([1, 2, 3]))[1]
     array([-1., -2., -3.])
     """
     R, t = check_rotation(R), check_vector(t, 3, "t")

@@ -51,7 +51,7 @@ def camera_matrix(K: ArrayLike, R: ArrayLike, t: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> camera_matrix(np.diag([800, 800, 1]), np.eye(3), [0, 0, 5])
+    >>> camera_matrix(np.diag([800, 800, 1]), np.eye(3), np.array([0, 0, 5]))
     array([[800.,   0.,   0.,   0.],
            [  0., 800.,   0.,   0.],
            [  0.,   0.,   1.,   5.]])
@@ -88,8 +88,8 @@ def project(points: ArrayLike, P: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> P = camera_matrix(np.diag([800, 800, 1]), np.eye(3), [0, 0, 5])
-    >>> project([[1, 0, 5], [0, 0, -9]], P)
+    >>> P = np.array([[800, 0, 0, 0], [0, 800, 0, 0], [0, 0, 1, 5]])
+    >>> project(np.array([[1, 0, 5], [0, 0, -9]]), P)
     array([[80.,  0.],
            [nan, nan]])
     """
@@ -137,7 +137,8 @@ def pixel_ray(pixels: ArrayLike, K: ArrayLike, R: ArrayLike, t: ArrayLike) -> tu
 
     Examples
     --------
-    >>> centre, directions = pixel_ray((0, 0), np.diag([800, 800, 1]), np.eye(3), [0, 0, 5])
+    >>> K, R, t = np.diag([800, 800, 1]), np.eye(3), np.array([0, 0, 5])
+    >>> centre, directions = pixel_ray(np.array([0, 0]), K, R, t)
     >>> centre, directions
     (array([ 0.,  0., -5.]), array([0., 0., 1.]))
     """

@@ -173,7 +173,7 @@ def rotation_about_axis(axis: ArrayLike, angle: float) -> Array:
 
     Examples
     --------
-    >>> rotation_about_axis((0, 0, 2), np.pi / 2).round() @ [1, 0, 0]
+    >>> rotation_about_axis(np.array([0, 0, 2]), np.pi / 2).round() @ np.array([1, 0, 0])
     array([0., 1., 0.])
     """
     axis, angle = check_direction(axis, "axis"), check_number(angle, "angle")

@@ -152,6 +152,8 @@ def same_shape(yours: ArrayLike | None, expected: Floats) -> Floats | None:
     if yours is None:
         return None
     try:
+        if np.iscomplexobj(yours):
+            return None
         drawable = np.asarray(yours, dtype=float)
     except (TypeError, ValueError):
         return None

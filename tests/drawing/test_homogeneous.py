@@ -159,7 +159,7 @@ def test_the_house_stands_where_its_corners_are():
 
 
 @pytest.mark.parametrize(
-    ("way", "words"), [(0.0, None), (2000.0, "outside of the picture"), (np.nan, "all nan")]
+    ("way", "words"), [(0.0, None), (2000.0, "outside of the "), (np.nan, "all nan")]
 )
 def test_answers_that_would_vanish_are_announced(way, words):
     first, R = draw.first_camera(), SECOND.R
@@ -174,6 +174,33 @@ def test_answers_that_would_vanish_are_announced(way, words):
         said = [text.get_text() for text in ax.texts if "your points" in text.get_text()]
         assert len(said) == (words is not None)
         assert not words or words in said[0]
+
+
+def test_stars_beside_the_map_are_counted():
+    centres = [(1, 20, 3), (1, 200, 3), (np.nan, 20, 3)]
+    texts = [t.get_text() for t in draw.street_map(draw.cameras(), centres=centres).axes[0].texts]
+    assert "outside of the map: 2 of your 3 points" in texts
+
+
+@pytest.mark.parametrize(
+    ("pose", "words"),
+    [
+        (None, "no pose yet"),
+        (PLAN, None),
+        ((SECOND.R.T, SECOND.t), "no house in sight from"),
+        ((SECOND.R, np.full(3, np.nan)), "not a pose (nan)"),
+        ((SECOND.R, 1e200 * SECOND.t), "not a pose (t is far too long)"),
+        ((2 * SECOND.R, SECOND.t), "not a pose (R must be a rotation)"),
+        ((0 * SECOND.R, SECOND.t), "not a pose (R must be a rotation)"),
+        ((SECOND.R + 0j, SECOND.t), "not a pose (R is 3 × 3, t has 3 numbers)"),
+        (np.eye(4), "not a pose (R and t)"),
+    ],
+)
+def test_a_pose_without_a_picture_of_houses_says_why(pose, words):
+    for drawn in (draw.taken_from(pose), draw.imports([pose], [""]), draw.sweep([pose], [0])):
+        said = [text.get_text() for text in drawn.axes[0].texts]
+        assert len(said) == (words is not None)
+        assert not words or said[0].startswith(words)
 
 
 def test_the_wire_is_the_students():

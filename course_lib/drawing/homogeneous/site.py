@@ -34,6 +34,10 @@ FROM_BLENDER = np.array(
 HOUSE = np.array(
     [(x, y, z) for x in (-6.6, -14.1) for y, z in ((16.5, 0), (25.5, 0), (25.5, 5.4), (16.5, 5.4))]
 )
+#: m: a camera farther away than that is no camera of this street.
+FARTHEST = 1e9
+#: Mean step of green between neighbours in a row: below it there is only sky or meadow.
+PLAIN = 0.1
 HOUSE_EDGES = [(i, (i + 1) % 4) for i in range(4)]
 HOUSE_EDGES += [(i + 4, j + 4) for i, j in HOUSE_EDGES] + [(i, i + 4) for i in range(4)]
 #: The northern end of the front's eaves, m: the tip of a roof that reaches 0.35 m over the walls.
@@ -62,17 +66,26 @@ def photograph(camera: Camera) -> NDArray[np.uint8]:
     return renderer().picture(camera)
 
 
-def say_where_lost(ax: Axes, points: Floats, at: tuple[float, float] = (0.5, 0.06)) -> None:
-    """Say so where a student's points exist, but none of them is on the page."""
+def say_where_lost(
+    ax: Axes, points: Floats, at: tuple[float, float] = (0.5, 0.06), page: str = "picture"
+) -> None:
+    """Say so where none of a student's points is in the picture, or some are not on the map."""
     (left, right), (bottom, top) = sorted(ax.get_xlim()), sorted(ax.get_ylim())
-    there = points[np.isfinite(points).all(axis=1)]
-    inside = (there >= (left, bottom)) & (there <= (right, top))
-    if inside.all(axis=1).any():
+    seen = ((points >= (left, bottom)) & (points <= (right, top))).all(axis=1)
+    if seen.all() or (seen.any() and page == "picture"):  # a picture need not show everything
         return
-    words = "your points are outside of the picture" if len(there) else "your points are all nan"
-    look: dict[str, Any] = {"ha": "center", "color": BLACK, "fontweight": "bold"}
+    words = f"your points are outside of the {page}"
+    if seen.any():
+        words = f"outside of the {page}: {(~seen).sum()} of your {len(points)} points"
+    elif np.isnan(points).any(axis=1).all():
+        words = "your points are all nan"
+    say(ax, at, words, fontweight="bold")
+
+
+def say(ax: Axes, at: tuple[float, float], words: str, **look: Any) -> None:
+    """Write on white paper, at a place given in parts of the axes' width and height."""
     paper = {"facecolor": "white", "edgecolor": "none", "alpha": 0.9, "pad": 2}
-    ax.text(*at, words, transform=ax.transAxes, bbox=paper, **look)
+    ax.text(*at, words, transform=ax.transAxes, bbox=paper, ha="center", color=BLACK, **look)
 
 
 def usable_pose(pose: object) -> tuple[Floats, Floats] | None:
@@ -80,10 +93,23 @@ def usable_pose(pose: object) -> tuple[Floats, Floats] | None:
     if not isinstance(pose, (tuple, list)) or len(pose) != 2:
         return None
     R, t = same_shape(pose[0], np.eye(3)), same_shape(pose[1], np.zeros(3))
-    if R is None or t is None or not (np.isfinite(R).all() and np.isfinite(t).all()):
+    if R is None or t is None or not np.isfinite(R).all() or not (np.abs(t) < FARTHEST).all():
         return None
     proper = np.abs(R @ R.T - np.eye(3)).max() < 1e-6 and np.linalg.det(R) > 0
     return (R, t) if proper else None
+
+
+def _what_is_wrong(pose: object) -> str:
+    """Say why no picture can be taken with what a student's function gave."""
+    if not isinstance(pose, (tuple, list)) or len(pose) != 2:
+        return "not a pose (R and t)"
+    R, t = same_shape(pose[0], np.eye(3)), same_shape(pose[1], np.zeros(3))
+    if R is None or t is None:
+        return "not a pose (R is 3 × 3, t has 3 numbers)"
+    if np.isnan(R).any() or np.isnan(t).any():
+        return "not a pose (nan)"
+    far = not (np.abs(t) < FARTHEST).all()
+    return "not a pose (t is far too long)" if far else "not a pose (R must be a rotation)"
 
 
 @figure(
@@ -115,11 +141,15 @@ def show_view(ax: Axes, pose: object) -> Camera | None:
     picture_frame(ax, SIZE)
     usable = usable_pose(pose)
     if usable is None:
-        words = "no pose yet" if pose is None else "not a pose (R must be a rotation)"
+        words = "no pose yet" if pose is None else _what_is_wrong(pose)
         write(ax, (SIZE[0] / 2, SIZE[1] / 2), words, "guide")
         return None
     camera = Camera(K, *usable, SIZE)
-    ax.imshow(photograph(camera), extent=(-0.5, SIZE[0] - 0.5, SIZE[1] - 0.5, -0.5))
+    picture = photograph(camera)
+    ax.imshow(picture, extent=(-0.5, SIZE[0] - 0.5, SIZE[1] - 0.5, -0.5))
+    if np.abs(np.diff(picture[:, :, 1].astype(float), axis=1)).mean() < PLAIN:
+        place = "({:.1f}, {:.1f}, {:.1f}) m".format(*camera.centre + 0.0)
+        say(ax, (0.5, 0.1), f"no house in sight from\n{place}", fontsize=9)
     return camera
 
 
@@ -192,7 +222,7 @@ def street_map(
         xlabel="x, east (m)", ylabel="y, north (m)", xlim=(-16, 12), ylim=(3, 36), aspect="equal"
     )
     if len(there):
-        say_where_lost(ax, there, at=(0.5, 0.95))
+        say_where_lost(ax, there, at=(0.5, 0.95), page="map")
     return fig
 
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from course_lib.camera import Camera
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
 from course_lib.drawing.homogeneous.site import (
+    FARTHEST,
     HOUSE,
     HOUSE_EDGES,
     photograph,
@@ -178,7 +179,7 @@ def one_ray(
     truth = second.project(first.centre + steps * first.pixel_ray(pixel))
     axes[1].plot(*truth.T, "o", color=BLACK, mfc="none", ms=11)
     ray = same_shape(yours, np.zeros((2, 3)))
-    if ray is not None and np.isfinite(ray).all():
+    if ray is not None and (np.abs(ray) < FARTHEST).all():
         stars = second.project(ray[0] + steps * ray[1])
         axes[1].plot(*stars.T, "*-", color=ROLES["second"], ms=10)
         say_where_lost(axes[1], stars)
