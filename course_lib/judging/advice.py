@@ -97,6 +97,22 @@ ADVICE = (
     ),
     (
         "LinAlgError",
+        "Singular matrix",
+        "This matrix has no inverse: its columns depend on each other. Is one of them zero, or a "
+        "multiple of another?",
+    ),
+    (
+        "LinAlgError",
+        "1-dimensional array given",
+        "A row of numbers is no table here. As a table with one column it is `a[:, None]`.",
+    ),
+    (
+        "ValueError",
+        "cannot reshape",
+        "The new shape has not as many entries as the array. Which array is it? Print its shape.",
+    ),
+    (
+        "LinAlgError",
         "must be square",
         "Only a square matrix has a determinant or an inverse. Take the square part of it.",
     ),

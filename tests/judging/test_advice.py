@@ -80,3 +80,13 @@ def test_other_advice_is_not_hidden():
     assert "np.array" in said(lambda points: points / 2, [1, 2])
     assert "divisor is zero" in said(lambda: 1.0 / 0)
     assert advice("KeyError", "'a'") == ""
+
+
+def test_matrices_without_an_inverse():
+    assert "depend on each other" in said(np.linalg.inv, np.ones((2, 2)))
+    assert "`a[:, None]`" in said(np.linalg.solve, np.ones(2), np.ones(2))
+    assert "`a[:, None]`" in said(np.linalg.lstsq, np.ones(2), np.ones(2))
+
+
+def test_reshape_keeps_the_number_of_entries():
+    assert "as many entries" in said(np.ones(12).reshape, 3, 3)

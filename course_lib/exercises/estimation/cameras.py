@@ -13,9 +13,9 @@ CAMERA_DLT = Exercise(
     resection.camera_dlt,
     points=8,
     parts={
-        "six points": Part(inputs.six_points, cases=2, weight=3),
-        "more points than needed": Part(inputs.twelve_points, cases=2, weight=3),
-        "points in millimetres": Part(inputs.points_in_millimetres, cases=2, weight=2),
+        "six points": Part(inputs.six_points, cases=1, weight=3),
+        "more points than needed": Part(inputs.twelve_points, cases=1, weight=3),
+        "points in millimetres": Part(inputs.points_in_millimetres, cases=1, weight=2),
     },
     compare=UpToScale(tolerance=1e-9),  # the last row is thousands of times smaller
     misconceptions=[
@@ -167,8 +167,8 @@ CORRECTION_TABLE = Exercise(
     points=5,
     parts={
         "residuals in every cell": Part(inputs.every_cell_seen, cases=2, weight=3),
-        "cells without any": Part(inputs.some_cells_empty, cases=2, weight=1),
-        "pixels near the edges of cells": Part(inputs.near_the_edges_of_cells, cases=2, weight=1),
+        "cells without any": Part(inputs.some_cells_empty, cases=1, weight=1),
+        "pixels near the edges of cells": Part(inputs.near_the_edges_of_cells, cases=1, weight=1),
     },
     misconceptions=[
         Misconception(

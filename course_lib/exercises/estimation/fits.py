@@ -11,9 +11,9 @@ SOLVE_ONE_UNKNOWN = Exercise(
     "estimation",
     least_squares.solve_one_unknown,
     parts={
-        "equations that agree": Part(inputs.exact_equations, cases=2, weight=1),
+        "equations that agree": Part(inputs.exact_equations, cases=1, weight=1),
         "equations with errors": Part(inputs.equations_with_errors, cases=2, weight=2),
-        "negative numbers among them": Part(inputs.some_negative, cases=2, weight=1),
+        "negative numbers among them": Part(inputs.some_negative, cases=1, weight=1),
     },
     misconceptions=[
         Misconception(
@@ -75,9 +75,9 @@ FIT_LINE = Exercise(
     least_squares.fit_line,
     points=5,
     parts={
-        "points on a line": Part(inputs.points_on_a_line, cases=2, weight=1),
+        "points on a line": Part(inputs.points_on_a_line, cases=1, weight=1),
         "strain measured at rising loads": Part(inputs.strain_against_load, cases=2, weight=3),
-        "loads in any order": Part(inputs.loads_in_any_order, cases=2, weight=1),
+        "loads in any order": Part(inputs.loads_in_any_order, cases=1, weight=1),
     },
     misconceptions=[
         Misconception(
@@ -145,8 +145,8 @@ FIT_AFFINE = Exercise(
     least_squares.fit_affine,
     points=6,
     parts={
-        "three points": Part(inputs.three_markers, cases=2, weight=1),
-        "more points than needed": Part(inputs.exact_markers, cases=2, weight=2),
+        "three points": Part(inputs.three_markers, cases=1, weight=1),
+        "more points than needed": Part(inputs.exact_markers, cases=1, weight=2),
         "points with errors": Part(inputs.markers_with_errors, cases=2, weight=3),
     },
     misconceptions=[

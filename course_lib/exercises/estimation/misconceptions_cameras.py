@@ -12,12 +12,11 @@ from course_lib.homography import normalise_points
 
 
 def _design(points: Any, pixels: Any, sign: int = -1) -> Any:
-    rows = []
-    for point, (u, v) in zip(points, pixels, strict=True):
-        X, zero = np.append(point, 1), np.zeros(4)
-        rows.append(np.concatenate([X, zero, sign * u * X]))
-        rows.append(np.concatenate([zero, X, sign * v * X]))
-    return np.array(rows)
+    X = np.column_stack([points, np.ones(len(points))])
+    A = np.zeros((len(points), 2, 12))
+    A[:, 0, :4] = A[:, 1, 4:8] = X
+    A[:, :, 8:] = sign * pixels[:, :, None] * X[:, None]
+    return A.reshape(-1, 12)
 
 
 def _between(points: Any, pixels: Any, pick: Any = None, sign: int = -1) -> Any:

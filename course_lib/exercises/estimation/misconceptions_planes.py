@@ -12,11 +12,11 @@ from course_lib.homography import normalise_points
 
 
 def _design(points: Any, targets: Any, sign: int = -1) -> Any:
-    rows = []
-    for (x, y), (u, v) in zip(points, targets, strict=True):
-        rows.append([x, y, 1, 0, 0, 0, sign * u * x, sign * u * y, sign * u])
-        rows.append([0, 0, 0, x, y, 1, sign * v * x, sign * v * y, sign * v])
-    return np.array(rows)
+    p = np.column_stack([points, np.ones(len(points))])
+    A = np.zeros((len(points), 2, 9))
+    A[:, 0, :3] = A[:, 1, 3:6] = p
+    A[:, :, 6:] = sign * targets[:, :, None] * p[:, None]
+    return A.reshape(-1, 9)
 
 
 def _vectors(points: Any, targets: Any) -> Any:
@@ -85,6 +85,15 @@ def targets_done_once_more(points, targets):
 def both_undone(points, targets):
     T_points, H, T_targets = _between(points, targets)
     return _scaled(np.linalg.inv(T_targets) @ H @ np.linalg.inv(T_points))
+
+
+def multiplied_entry_by_entry(points, targets):
+    T_points, H, T_targets = _between(points, targets)
+    return _scaled(np.linalg.inv(T_targets) @ H * T_points)
+
+
+def nothing_but_zeros(points, targets):
+    return np.zeros((3, 3))
 
 
 def points_left_normalised(points, targets):

@@ -13,8 +13,8 @@ APPLY_HOMOGRAPHY = Exercise(
     homography.apply_homography,
     points=5,
     parts={
-        "an affine matrix": Part(inputs.affine_matrix, cases=2, weight=1),
-        "a wall seen at a slant": Part(inputs.wall_in_a_picture, cases=2, weight=2),
+        "an affine matrix": Part(inputs.affine_matrix, cases=1, weight=1),
+        "a wall seen at a slant": Part(inputs.wall_in_a_picture, cases=1, weight=2),
         "a single point": Part(inputs.one_point, cases=2, weight=1),
         "points that go to infinity": Part(inputs.some_to_infinity, cases=2, weight=1),
     },
@@ -72,7 +72,7 @@ NORMALISE_POINTS = Exercise(
     points=5,
     parts={
         "pixels": Part(inputs.pixels_of_a_picture, cases=2, weight=2),
-        "points of a wall, in metres": Part(inputs.points_of_a_facade, cases=2, weight=1),
+        "points of a wall, in metres": Part(inputs.points_of_a_facade, cases=1, weight=1),
         "points of space": Part(inputs.points_of_space, cases=2, weight=2),
     },
     misconceptions=[
@@ -154,9 +154,9 @@ HOMOGRAPHY_DLT = Exercise(
     homography.homography_dlt,
     points=10,
     parts={
-        "four points": Part(inputs.four_corners, cases=2, weight=3),
-        "more points than needed": Part(inputs.many_corners, cases=2, weight=3),
-        "points with errors": Part(inputs.corners_with_errors, cases=2, weight=4),
+        "four points": Part(inputs.four_corners, cases=1, weight=3),
+        "more points than needed": Part(inputs.many_corners, cases=1, weight=3),
+        "points with errors": Part(inputs.corners_with_errors, cases=1, weight=4),
     },
     compare=UpToScale(tolerance=1e-9),  # the last row is thousands of times smaller
     misconceptions=[
@@ -194,6 +194,14 @@ HOMOGRAPHY_DLT = Exercise(
             "On the right your product is fine. The last matrix that acts on a target: does it "
             "normalise, or undo it?",
             also=[wrong.transposed_for_inverted],
+        ),
+        Misconception(
+            wrong.multiplied_entry_by_entry,
+            "For arrays, Python has two signs that multiply. Which of them goes row by column?",
+        ),
+        Misconception(
+            wrong.nothing_but_zeros,
+            "Zero solves the equations, always, and says nothing. Which length should h have?",
         ),
         Misconception(
             wrong.undone_with_one_matrix,
