@@ -14,7 +14,7 @@ BOARD_POINTS = Exercise(
         "more columns than rows": Part(inputs.landscape_board, weight=3),
         "more rows than columns": Part(inputs.portrait_board, weight=2),
     },
-    forbidden=("course_lib.calibration_views.board_points", "course_lib.boards.grid_points"),
+    forbidden=("course_lib.calibration_views.board_points",),
     misconceptions=[
         Misconception(
             wrong.columns_and_rows_swapped,
