@@ -81,6 +81,9 @@ def normalise_points(points: ArrayLike) -> tuple[Array, Array]:
 def homography_dlt(points: ArrayLike, targets: ArrayLike) -> Array:
     """Return the homography that takes points to their targets, by the normalised DLT.
 
+    Points and targets are normalised by `normalise_points`. Each pair gives two rows of A. Of all
+    vectors h of length 1, the one is taken for which ``A h`` is shortest.
+
     Parameters
     ----------
     points : array_like, shape (N, 2)

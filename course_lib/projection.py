@@ -179,6 +179,7 @@ def decompose_projection(P: ArrayLike) -> tuple[Array, Array, Array]:
 
     Examples
     --------
+    >>> from course_lib.camera import camera_matrix
     >>> P = camera_matrix(np.diag([800, 800, 1]), np.eye(3), [1, 2, 5])
     >>> K, R, centre = decompose_projection(-3 * P)
     >>> centre
