@@ -185,7 +185,7 @@ def test_back_to_the_belt():
     assert t == pytest.approx(0.125e-3)
     dim = 27_165 * t / 0.01
     assert dim == pytest.approx(340, abs=0.5)
-    assert 10_000 / 0.6 == pytest.approx(16_700, abs=50)
+    assert pytest.approx(16_700, abs=50) == 10_000 / 0.6
     assert 16_667 / dim == pytest.approx(49, abs=0.2)
     model = sensor.SensorModel(full_well=20_000, read_noise=6, gain=exposure.SENSOR.gain)
     lux = np.array([24_600, 25_000])
