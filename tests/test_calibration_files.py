@@ -1,8 +1,8 @@
 import cv2
 import numpy as np
 import pytest
+from real_data import fetched
 
-from course_lib import data
 from course_lib.calibration_files import FORMS, StoredCamera, read_camera, write_camera
 
 K = np.array([[533.523, 0, 341.604], [0, 533.527, 235.193], [0, 0, 1]])
@@ -60,10 +60,7 @@ class TestOthersFiles:
         assert file.getNode("avg_reprojection_error").real() == 0.2
 
     def test_we_read_opencvs(self):
-        try:
-            stored = read_camera(data.fetch("opencv_stereo/left_intrinsics.yml"))
-        except data.Unavailable as error:
-            pytest.skip(str(error))
+        stored = read_camera(fetched("opencv_stereo/left_intrinsics.yml"))
         np.testing.assert_allclose(
             stored.K[[0, 0, 1], [0, 2, 2]], (535.91573, 342.28315, 235.57083), atol=1e-5
         )

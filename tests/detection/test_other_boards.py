@@ -3,6 +3,7 @@ from functools import cache
 import cv2
 import numpy as np
 import pytest
+from real_data import fetched
 
 from course_lib import data
 from course_lib.boards import Charuco, DotGrid, SquareGrid
@@ -28,11 +29,8 @@ def rms(errors):
     return float(np.sqrt(np.mean(np.sum(np.square(errors), axis=1))))
 
 
-def fetched(name):
-    try:
-        return cv2.imread(str(data.fetch(name)))
-    except data.Unavailable as error:
-        pytest.skip(str(error))
+def photograph(name):
+    return cv2.imread(str(fetched(name)))
 
 
 class TestDots:
@@ -49,7 +47,7 @@ class TestDots:
 
     def test_finds_every_real_grid(self):
         names = [n for n in data.names("boofcv/Sony_DSC-HX5V_Circle") if n.endswith(".jpg")]
-        found = [detect_board(fetched(name), DOTS) for name in names]
+        found = [detect_board(photograph(name), DOTS) for name in names]
         assert len(found) == 6
         assert all(f.good and len(f.ids) == 80 for f in found)
 
@@ -130,10 +128,10 @@ class TestSquares:
     def test_zhangs_pictures(self):
         board, apart = SquareGrid(8, 8, 0.5, 8 / 9), []
         for number in range(1, 6):
-            found = detect_board(fetched(f"zhang/CalibIm{number}.png"), board)
+            found = detect_board(photograph(f"zhang/CalibIm{number}.png"), board)
             assert found.good
             assert len(found.ids) == 256
-            name = data.fetch(f"zhang/data{number}.txt")
+            name = fetched(f"zhang/data{number}.txt")
             his = np.loadtxt(name).reshape(-1, 2)
             away = np.linalg.norm(his[:, None] - found.points, axis=2)
             assert len(set(away.argmin(axis=1))) == 256

@@ -10,8 +10,9 @@ from legible import Legible
 mpl.use("Agg")  # as a test has no screen
 
 from matplotlib.quiver import Quiver
+from real_data import fetched
 
-from course_lib import data, homography, least_squares, resection
+from course_lib import homography, least_squares, resection
 from course_lib.drawing import estimation as draw
 from course_lib.drawing.estimation import resection as later
 from course_lib.drawing.estimation import wall as walls
@@ -258,10 +259,7 @@ def bays(wall, H):
 
 
 def test_the_bays_of_the_real_building_become_alike():
-    try:
-        wall = draw.building(data.fetch("opencv_stereo/building.jpg"))
-    except data.Unavailable as missing:
-        pytest.skip(str(missing))
+    wall = draw.building(fetched("opencv_stereo/building.jpg"))
     assert wall.picture.shape == (600, 868, 3)
     assert wall.pixels.shape == wall.places.shape == (32, 2)
     projective = homography.homography_dlt(wall.pixels, wall.places)

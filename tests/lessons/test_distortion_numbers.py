@@ -4,8 +4,9 @@ import cv2
 import numpy as np
 import pytest
 from lesson_text import lesson_text
+from real_data import fetched
 
-from course_lib import data, distortion
+from course_lib import distortion
 from course_lib.drawing.distortion import boards
 from course_lib.drawing.distortion.fields import CLASSIC_K, CLASSIC_LENS
 from course_lib.drawing.distortion.fisheye import things
@@ -26,10 +27,7 @@ def about(value, digits):
 @pytest.fixture(scope="module")
 def real():
     """Skip where the real photographs are not to be had."""
-    try:
-        data.fetch(boards.SHOWN)
-    except data.Unavailable as missing:
-        pytest.skip(str(missing))
+    fetched(boards.SHOWN)
     assert boards.board_photograph()[1]
 
 

@@ -3,8 +3,8 @@
 import cv2
 import numpy as np
 import pytest
+from real_data import fetched
 
-from course_lib import data
 from course_lib.calibration import (
     CameraModel,
     board_points,
@@ -18,13 +18,6 @@ SIZE = (640, 480)
 BOARD = board_points(9, 6, 30)
 #: OpenCV's steps are as many as it needs to come to rest.
 ENDLESS = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 300, 1e-15)
-
-
-def fetched(name):
-    try:
-        return data.fetch(name)
-    except data.Unavailable as missing:
-        pytest.skip(str(missing))
 
 
 def corners(name, columns, rows, window=5):
