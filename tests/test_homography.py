@@ -168,6 +168,23 @@ class TestFit:
             H = refine_homography(start, points, targets)
             assert rms(H, points, targets) == pytest.approx(rms(best, points, targets), abs=1e-9)
 
+    @pytest.mark.parametrize("seed", range(5))
+    def test_far_starts_need_damping(self, seed):
+        points, targets = measured(np.random.default_rng(8), noise=1)
+        least = rms(fit_homography(points, targets), points, targets)
+        far = np.random.default_rng(seed).normal(size=(3, 3)) * [[1, 1, 100], [1, 1, 100], [0] * 3]
+        far[2, :2] = 2e-3 * np.random.default_rng(seed).normal(size=9)[6:8]
+        H = refine_homography(view(np.random.default_rng(9)) + far, points, targets)
+        assert rms(H, points, targets) == pytest.approx(least, abs=1e-9)
+
+    def test_slanted_lines_are_collinear_but_for_rounding(self):
+        steps = np.random.default_rng(2).normal(size=(9, 1))
+        line = steps * [np.pi, np.e]
+        with pytest.raises(DegenerateConfigurationError, match="all points are collinear"):
+            fit_homography(line, board()[:9] + 1e-3 * steps**2)
+        nearly = line + 1e-4 * np.random.default_rng(3).normal(size=(9, 2))
+        assert np.isfinite(fit_homography(nearly, apply_homography(nearly, np.eye(3)))).all()
+
     def test_errors(self):
         with pytest.raises(ValueError, match=r"targets \(B, N, 2\)"):
             fit_homographies(board(), board())
