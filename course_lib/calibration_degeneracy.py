@@ -17,7 +17,7 @@ PARALLEL_DEG = 0.5
 #: So far from a homography, by the size of the board in the picture, no lens bends a board.
 DISORDER = 0.12
 #: A focal length with a standard deviation of more than this share of it is not determined.
-VAGUE = 0.1
+VAGUE = 0.15
 #: No lens has a focal length of so many widths of the picture: a boundless one fits as well.
 FAR = 30.0
 
@@ -89,7 +89,7 @@ def vagueness(state: State, normals: Normals, observations: int) -> float:
     if not state.model.focal:
         return 0.0
     freedom = observations - len(state.model.names) - 6 * len(state.R)
-    variance = normals.cost / freedom * normals.inverse_blocks()[0][0, 0]
+    variance = normals.cost / freedom * normals.inverse_blocks[0][0, 0]
     return float(np.sqrt(variance) / state.camera[0])
 
 

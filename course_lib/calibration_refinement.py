@@ -13,8 +13,9 @@ as the camera, whatever the number of views. Use these functions through `course
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
-from typing import NamedTuple, Protocol, Self, TypeVar
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import Protocol, Self, TypeVar
 
 import numpy as np
 
@@ -26,14 +27,15 @@ from course_lib.checks import SMALLEST, Array, DegenerateConfigurationError
 #: A step that promises to lower the sum of squares by less, relative to itself, is the last one.
 LAST_GAIN = 1e-11
 STEPS = 300
-FIRST_DAMPING = 1e-4
+FIRST_DAMPING = 1e-6
 #: With more damping a step is too short to change anything.
 TOO_STIFF = 1e12
 #: Residuals of so many px are rounding.
 ROUNDING = 1e-11
 
 
-class Normals(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Normals:
     """The normal equations of all views, in their blocks, and the sum of squared residuals.
 
     Attributes
@@ -64,8 +66,9 @@ class Normals(NamedTuple):
         camera = np.linalg.solve(V, _summed(self.W, alone[..., None])[:, 0] - self.g_c)
         return np.asarray(camera), np.asarray(-alone - by_camera @ camera)
 
+    @cached_property
     def inverse_blocks(self) -> tuple[Array, Array]:
-        """Return the inverse's block of the camera, (n, n), and its diagonal of the poses, (v, 6).
+        """The inverse's block of the camera, (n, n), and its diagonal of the poses, (v, 6).
 
         The camera's is the inverse of what is left of V after the poses are eliminated, S⁻¹; a
         pose's is ``U⁻¹ + U⁻¹ W S⁻¹ Wᵀ U⁻¹``: its own uncertainty, and what the camera's adds.

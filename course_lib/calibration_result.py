@@ -90,7 +90,7 @@ def calibration_from_state(
     names = state.model.names
     check_determined(state, vagueness(state, normals, views.observations), image_size)
     variance = normals.cost / (views.observations - len(names) - 6 * len(state.R))
-    covariance, poses = normals.inverse_blocks()
+    covariance, poses = normals.inverse_blocks
     sigma = np.sqrt(variance * np.diag(covariance))
     return Calibration(
         K=state.K,

@@ -30,6 +30,8 @@ from course_lib.zhang import (
 LIKELY_FOCAL = (0.2, 20.0)
 #: With more points in a view than this, a part of them is enough for the first steps.
 ENOUGH_POINTS = 60
+#: So many of each view are enough for a first guess of the distortion.
+FEW_POINTS = 20
 #: With such a standard deviation of f, as a share of it, there may be another minimum.
 DOUBTFUL = 0.02
 
@@ -143,7 +145,7 @@ def with_distortion(state: State, views: Views) -> State:
     """Return the state with Zhang's first guess of k1 and k2, if the model has both."""
     if not {"k1", "k2"} <= set(state.model.coefficients):
         return state
-    K = state.K
+    K, views = state.K, views.thinned(FEW_POINTS)
     X = state.R @ views.points + state.t[:, :, None]
     ideal = (K[:2] @ (X / X[:, 2:])).transpose(0, 2, 1)
     observed = views.pixels.transpose(0, 2, 1)

@@ -205,7 +205,7 @@ def _check_counts(board: Array, pixels: Array, i: int) -> None:
             f"view {i} has {len(pixels)} points, and the pose of a board needs {LEAST_POINTS}: "
             "leave this view out"
         )
-    if np.ptp(pixels, axis=0).max() == 0:
+    if (pixels == pixels[0]).all():
         raise DegenerateConfigurationError(f"all pixels of view {i} are the same: leave it out")
 
 
@@ -231,8 +231,11 @@ def _check_board(points: ArrayLike, name: str) -> Array:
 def _stacked(parts: list[Array]) -> Array:
     """Return rows of points as ``(V, d, N)``, short ones filled up with their first point."""
     longest = max(map(len, parts))
-    filled = [np.concatenate([p, np.repeat(p[:1], longest - len(p), axis=0)]) for p in parts]
-    return np.ascontiguousarray(np.stack(filled).transpose(0, 2, 1))
+    stacked = np.empty((len(parts), parts[0].shape[1], longest))
+    for place, part in zip(stacked, parts, strict=True):
+        place[:, : len(part)] = part.T
+        place[:, len(part) :] = part[:1].T
+    return stacked
 
 
 def _check_count(value: int, name: str) -> None:

@@ -185,7 +185,7 @@ def _judged(pair: _Pair, normals: Normals, left: Views, right: Views) -> StereoC
     observations = left.observations + right.observations
     variance = normals.cost / (observations - len(names) - 6 * len(left.counts))
     try:
-        covariance = variance * normals.inverse_blocks()[0]
+        covariance = variance * normals.inverse_blocks[0]
     except np.linalg.LinAlgError as error:
         raise DegenerateConfigurationError("the pairs do not determine the cameras") from error
     sigma = np.sqrt(np.diag(covariance)).tolist()
