@@ -15,11 +15,10 @@ from course_lib.exercises.homogeneous.plane import (
 from course_lib.exercises.homogeneous.poses import (
     CAMERA_CENTRE,
     CV_FROM_GRAPHICS_CAMERA,
-    GIMBAL_POSE,
     INVERT_POSE,
     POSE_FROM_PLACEMENT,
-    ROTATION_ABOUT_AXIS,
 )
+from course_lib.exercises.homogeneous.turns import GIMBAL_POSE, ROTATION_ABOUT_AXIS
 
 #: In the order of the lesson.
 EXERCISES = (

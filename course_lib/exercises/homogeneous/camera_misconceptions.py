@@ -33,6 +33,15 @@ def K_on_the_right(K, R, t):
     return np.column_stack([R @ K, K @ t])
 
 
+def t_in_the_first_column(K, R, t):
+    return K @ np.column_stack([t, R])
+
+
+def divided_by_the_last_number(K, R, t):
+    P = K @ np.column_stack([R, t])
+    return P / P[2, 3]
+
+
 # --- project ----------------------------------------------------------------------------------
 
 
@@ -81,6 +90,17 @@ def block_transposed(points, P):
 def all_numbers_made_positive(points, P):
     x = _images(points, np.abs(P))
     return np.where(x[..., 2:] > 0, x[..., :2] / x[..., 2:], np.nan)
+
+
+def size_of_w(points, P):
+    x = _images(points, P)
+    return x[..., :2] / np.abs(x[..., 2:])
+
+
+def points_left_out(points, P):
+    x = _images(points, P if np.linalg.det(P[:, :3]) > 0 else -P)
+    pixels = x[..., :2] / x[..., 2:]
+    return pixels[x[:, 2] > 0] if x.ndim == 2 else pixels
 
 
 # --- pixel_ray --------------------------------------------------------------------------------
@@ -137,3 +157,12 @@ def matrix_not_transposed(pixels, K, R, t):
 def one_length_for_all(pixels, K, R, t):
     rays = _ahead(pixels, K) @ R
     return -R.T @ t, rays / np.linalg.norm(rays)
+
+
+def intrinsics_not_inverted(pixels, K, R, t):
+    ones = np.ones_like(pixels[..., :1])
+    return -R.T @ t, _unit(np.concatenate([pixels, ones], axis=-1) @ K.T @ R)
+
+
+def rays_backwards(pixels, K, R, t):
+    return -R.T @ t, -_unit(_ahead(pixels, K) @ R)

@@ -42,6 +42,16 @@ CAMERA_MATRIX = Exercise(
             wrong.K_on_the_right,
             "A point is first turned and moved, then becomes a pixel. Which matrix acts last?",
         ),
+        Misconception(
+            wrong.t_in_the_first_column,
+            "Your first column is the image of the world's origin. In which column of P does the "
+            "text expect it?",
+        ),
+        Misconception(
+            wrong.divided_by_the_last_number,
+            "You divide by the last number of P. For which camera is it zero, and does P need a "
+            "scale at all?",
+        ),
     ],
 )
 
@@ -88,6 +98,16 @@ PROJECT = Exercise(
             wrong.all_numbers_made_positive,
             "A camera matrix has negative numbers inside. Which single number tells whether the "
             "whole matrix is negated?",
+        ),
+        Misconception(
+            wrong.size_of_w,
+            "A point behind the camera got a pixel. Which sign of w says that it has none, and "
+            "where does your w keep it?",
+        ),
+        Misconception(
+            wrong.points_left_out,
+            "You return fewer rows than points came in. What belongs into the row of a point "
+            "without an image?",
         ),
     ],
     forbidden=("cv2.projectPoints", "cv2.perspectiveTransform"),
@@ -144,6 +164,15 @@ PIXEL_RAY = Exercise(
         Misconception(
             wrong.centre_of_the_picture_at_zero,
             "The ray of the principal point is the optical axis. Is it, with your function?",
+        ),
+        Misconception(
+            wrong.intrinsics_not_inverted,
+            "K turns directions into pixels. Which matrix leads back from pixels to directions?",
+        ),
+        Misconception(
+            wrong.rays_backwards,
+            "Your rays leave the camera at its back. What sign has the depth of the things that "
+            "it sees?",
         ),
     ],
 )

@@ -172,5 +172,10 @@ MEET = Exercise(
             wrong.lines_added,
             "The sum of two lines is a third line. Which vector is perpendicular to both?",
         ),
+        Misconception(
+            wrong.ordinary_point,
+            "You return an ordinary point, two numbers. Which two has the point of parallel "
+            "lines, and how many has a homogeneous one?",
+        ),
     ],
 )

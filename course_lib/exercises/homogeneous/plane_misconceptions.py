@@ -1,8 +1,6 @@
-"""Wrong answers to the exercises of chapter 02 on points, lines and rotations."""
+"""Wrong answers to the exercises of chapter 02 on points and lines."""
 
 from __future__ import annotations
-
-from typing import Any
 
 import numpy as np
 
@@ -136,50 +134,6 @@ def lines_added(l, m):  # noqa: E741
     return l + m
 
 
-# --- rotation_about_axis ----------------------------------------------------------------------
-
-
-def _cross(v: Any) -> Any:
-    x, y, z = v
-    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-
-
-def _rodrigues(k: Any, angle: Any) -> Any:
-    return np.eye(3) + np.sin(angle) * _cross(k) + (1 - np.cos(angle)) * _cross(k) @ _cross(k)
-
-
-def axis_not_unit(axis, angle):
-    return _rodrigues(axis, angle)
-
-
-def angle_taken_for_degrees(axis, angle):
-    return _rodrigues(axis / np.linalg.norm(axis), np.radians(angle))
-
-
-def clockwise(axis, angle):
-    return _rodrigues(axis / np.linalg.norm(axis), -angle)
-
-
-def small_turns_only(axis, angle):
-    return np.eye(3) + np.sin(angle) * _cross(axis / np.linalg.norm(axis))
-
-
-def cosine_for_its_complement(axis, angle):
-    k = _cross(axis / np.linalg.norm(axis))
-    return np.eye(3) + np.sin(angle) * k + np.cos(angle) * k @ k
-
-
-def three_turns_in_turn(axis, angle):
-    x, y, z = angle * axis / np.linalg.norm(axis)
-    about_z, about_y = _rodrigues((0, 0, 1), z), _rodrigues((0, 1, 0), y)
-    return about_z @ about_y @ _rodrigues((1, 0, 0), x)
-
-
-def number_for_a_matrix(axis, angle):
-    n, c = axis / np.linalg.norm(axis), np.cos(angle)
-    return c + (1 - c) * np.outer(n, n) + np.sin(angle) * _cross(n)
-
-
-def number_for_the_outer_product(axis, angle):
-    n, c = axis / np.linalg.norm(axis), np.cos(angle)
-    return c * np.eye(3) + (1 - c) * (n @ n.T) + np.sin(angle) * _cross(n)
+def ordinary_point(l, m):  # noqa: E741
+    x = np.cross(l, m)
+    return x[..., :2] / x[..., 2:]

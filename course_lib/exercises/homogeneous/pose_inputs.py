@@ -150,15 +150,15 @@ def seen(rng: Generator, skew: float = 0.0, at: Floats | None = None) -> tuple[F
     """Put points on the rays of pixels: pixels first, then depths, then the world."""
     K, R_camera, centre = intrinsics(rng, skew), any_rotation(rng), a_place(rng)
     centre = centre if at is None else at
-    pixels = rng.uniform((-300, -200), (940, 680), (4, 2))  # also outside of the picture
+    pixels = rng.uniform((-300, -200), (940, 680), (5, 2))  # also outside of the picture
     y = (pixels[:, 1] - K[1, 2]) / K[1, 1]
     x = (pixels[:, 0] - K[0, 2] - skew * y) / K[0, 0]
-    ahead = np.column_stack([x, y, np.ones(4)])
+    ahead = np.column_stack([x, y, np.ones(5)])
     rays = ahead @ R_camera.T
     R, t = placed(R_camera, centre)
     unit = rays / np.sqrt((rays**2).sum(axis=1, keepdims=True))
     case = Known({"pixels": pixels, "K": K, "R": R, "t": t}, (centre, unit))
-    return centre + rng.uniform(2, 9, (4, 1)) * rays, case
+    return centre + rng.uniform(2, 9, (5, 1)) * rays, case
 
 
 def project_case(rng: Generator) -> Known:

@@ -1,61 +1,11 @@
-"""Exercises of chapter 02 on turning and placing: rotations, poses, cameras in the world."""
+"""Exercises of chapter 02 on placing: poses, and cameras in the world."""
 
 from __future__ import annotations
 
 from course_lib import transforms
-from course_lib.exercises.homogeneous import inputs, pose_inputs
-from course_lib.exercises.homogeneous import plane_misconceptions as wrong_turn
+from course_lib.exercises.homogeneous import pose_inputs
 from course_lib.exercises.homogeneous import pose_misconceptions as wrong
-from course_lib.judging import Exercise, Misconception, Part, RotationClose
-
-ROTATION_ABOUT_AXIS = Exercise(
-    "homogeneous",
-    transforms.rotation_about_axis,
-    points=5,
-    parts={
-        "about x, y or z": Part(inputs.about_a_coordinate_axis, weight=1),
-        "about any axis of length 1": Part(inputs.about_a_unit_axis, weight=3),
-        "about an axis of another length": Part(inputs.about_a_long_axis, weight=1),
-    },
-    compare=RotationClose(),
-    misconceptions=[
-        Misconception(
-            wrong_turn.axis_not_unit,
-            "The formula wants an axis of length 1. How long is the one that you get?",
-        ),
-        Misconception(
-            wrong_turn.angle_taken_for_degrees,
-            "You turn by far too little. In which unit does the angle come?",
-        ),
-        Misconception(
-            wrong_turn.clockwise,
-            "Curl the fingers of your right hand with the thumb along the axis. "
-            "Do you turn that way?",
-        ),
-        Misconception(
-            wrong_turn.small_turns_only,
-            "Is your matrix a rotation for a quarter turn? Are its columns still of length 1?",
-        ),
-        Misconception(
-            wrong_turn.cosine_for_its_complement,
-            "With an angle of zero nothing must turn. What does your matrix do then?",
-        ),
-        Misconception(
-            wrong_turn.three_turns_in_turn,
-            "Three turns one after another depend on their order. "
-            "Does the axis stay where it is under your matrix?",
-        ),
-        Misconception(
-            wrong_turn.number_for_a_matrix,
-            "NumPy adds a number to all nine entries. Which of your terms is no 3 × 3 matrix?",
-        ),
-        Misconception(
-            wrong_turn.number_for_the_outer_product,
-            "How large is your product of n with itself: one number, or a 3 × 3 matrix?",
-        ),
-    ],
-    forbidden=("cv2.Rodrigues",),
-)
+from course_lib.judging import Exercise, Misconception, Part
 
 INVERT_POSE = Exercise(
     "homogeneous",
@@ -91,6 +41,11 @@ INVERT_POSE = Exercise(
             wrong.matrix_of_the_way_back,
             "You return the inverse as one 4 × 4 matrix. Which two parts of it were asked for?",
         ),
+        Misconception(
+            wrong.R_times_t_entry_by_entry,
+            "Your t is a table of nine numbers. Which of Python's two products multiplies a "
+            "matrix and a vector?",
+        ),
     ],
 )
 
@@ -117,6 +72,11 @@ CAMERA_CENTRE = Exercise(
         Misconception(
             wrong.in_front_for_behind,
             "The camera must map its own centre to zero. What does it make of your point?",
+        ),
+        Misconception(
+            wrong.centre_entry_by_entry,
+            "You get nine numbers for one place. Which of Python's two products multiplies a "
+            "matrix and a vector?",
         ),
     ],
 )
@@ -151,6 +111,11 @@ POSE_FROM_PLACEMENT = Exercise(
         Misconception(
             wrong.R_camera_on_the_centre,
             "Your rotation is right. Is it also the one that you used for t?",
+        ),
+        Misconception(
+            wrong.t_entry_by_entry,
+            "Your t is a table of nine numbers. Which of Python's two products multiplies a "
+            "matrix and a vector?",
         ),
     ],
 )
@@ -198,69 +163,10 @@ CV_FROM_GRAPHICS_CAMERA = Exercise(
             wrong.last_row_for_the_centre,
             "Your R is right, but t ignores the place. Does the place stand in a row or a column?",
         ),
-    ],
-)
-
-GIMBAL_POSE = Exercise(
-    "homogeneous",
-    transforms.gimbal_pose,
-    points=6,
-    parts={
-        "panned only": Part(pose_inputs.panned, weight=1),
-        "tilted only": Part(pose_inputs.tilted, weight=1),
-        "panned and tilted": Part(pose_inputs.panned_and_tilted, weight=2),
-        "a camera off the axes": Part(pose_inputs.off_the_axes, weight=2),
-    },
-    misconceptions=[
         Misconception(
-            wrong.tilted_first,
-            "Pan a gimbal: its tilt axis goes along. Which of your two turns moves the other axis?",
-        ),
-        Misconception(
-            wrong.offset_along_the_world,
-            "When the head turns, does the camera's offset turn along?",
-        ),
-        Misconception(
-            wrong.angles_in_degrees,
-            "Your camera hardly moves. In which unit do pan and tilt come?",
-        ),
-        Misconception(
-            wrong.pans_to_the_right,
-            "Seen from above, a positive pan goes which way: with the clock or against it?",
-        ),
-        Misconception(
-            wrong.tilts_down,
-            "With a positive tilt the sky should come into view. What does your camera see?",
-        ),
-        Misconception(
-            wrong.camera_to_world,
-            "You found how to get from the camera to the world. Which way does a pose lead?",
-        ),
-        Misconception(
-            wrong.looks_up_at_rest,
-            "With both angles zero the camera is level. Where does the axis of yours point?",
-        ),
-        Misconception(
-            wrong.axes_as_rows,
-            "At rest your camera looks south. Do the camera's axes stand in the rows of your L, "
-            "or in its columns?",
-        ),
-        Misconception(
-            wrong.factors_reversed,
-            "A point seen by the camera meets the rightmost matrix first. Which one must that be?",
-        ),
-        Misconception(
-            wrong.offset_forgotten,
-            "Your camera sits right where the axes cross. Which of the four inputs is unused?",
-        ),
-        Misconception(
-            wrong.matrix_of_the_placement,
-            "You return one 4 × 4 matrix, from camera to world. Which two parts, and which "
-            "direction, were asked for?",
-        ),
-        Misconception(
-            wrong.matrix_of_the_pose,
-            "You return the pose as one 4 × 4 matrix. Which two parts of it were asked for?",
+            wrong.graphics_t_entry_by_entry,
+            "Your R is right, your t a table of nine numbers. Which of Python's two products "
+            "multiplies a matrix and a vector?",
         ),
     ],
 )
