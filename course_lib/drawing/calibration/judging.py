@@ -1,0 +1,187 @@
+"""Still figures that judge a calibration: refinement, coverage, uncertainty, held-out views."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.calibration import Calibration, CameraModel, calibrate, coverage, held_out_rms
+from course_lib.drawing.calibration.photographs import BOARD, SIZE
+from course_lib.drawing.diagrams import (
+    figure,
+    panels,
+    picture_frame,
+    plain_numbers,
+    write,
+)
+from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+#: Sets of coefficients, one longer than the other.
+MODELS: tuple[tuple[str, ...], ...] = (
+    (),
+    ("k1",),
+    ("k1", "k2"),
+    ("k1", "k2", "p1", "p2"),
+    ("k1", "k2", "p1", "p2", "k3"),
+    ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"),
+    ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4"),
+)
+
+
+@figure("How the RMS falls step by step, to one floor below which nothing goes.")
+def steps_down(histories: Mapping[str, Sequence[float]]) -> Figure:
+    """Show the RMS after each step of one way or several to a calibration.
+
+    Parameters
+    ----------
+    histories : mapping of str to sequence of float
+        By name: the RMS at the start and after each step, px.
+
+    Returns
+    -------
+    Figure
+        A line for each.
+    """
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.2))
+    for (name, rms), role in zip(histories.items(), ("second", "camera", "object"), strict=False):
+        ax.plot(range(len(rms)), rms, "o-", color=ROLES[role], label=name, ms=4)
+    ax.set_yscale("log")
+    ax.set(xlabel="step", ylabel="RMS (px)")
+    ax.set_yticks([0.1, 0.2, 0.5, 1, 2, 5])
+    plain_numbers(ax)
+    ax.legend()
+    return fig
+
+
+@figure("Where in the picture corners were seen, by cells: some cells have none.")
+def coverage_map(pixels: Sequence[ArrayLike]) -> Figure:
+    """Show which parts of the picture the corners of all views cover.
+
+    Parameters
+    ----------
+    pixels : sequence of array_like, shape (N, 2)
+        Corners of each view.
+
+    Returns
+    -------
+    Figure
+        All corners, and the number in each of 8 × 6 cells.
+    """
+    found = coverage(pixels, SIZE)
+    fig, ax = panels(1, 1, (FULL_WIDTH * 0.75, 4.2))
+    picture_frame(ax, SIZE)
+    rows, columns = found.counts.shape
+    wide, tall = SIZE[0] / columns, SIZE[1] / rows
+    for (row, column), count in np.ndenumerate(found.counts):
+        left, top = column * wide - 0.5, row * tall - 0.5
+        colour = ROLES["image"] if count else "white"
+        ax.fill(
+            [left, left + wide, left + wide, left],
+            [top, top, top + tall, top + tall],
+            fc=colour,
+            alpha=0.3 if count else 1,
+            ec=GREY,
+            lw=0.6,
+        )
+    ax.plot(*np.vstack([np.asarray(v, float) for v in pixels]).T, ".", color=ROLES["object"], ms=2)
+    for (row, column), count in np.ndenumerate(found.counts):
+        paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.75}
+        write(ax, ((column + 0.5) * wide, (row + 0.5) * tall), str(count), bbox=paper, fontsize=10)
+    middle = (np.array(SIZE) - 1) / 2
+    turn = np.linspace(0, 2 * np.pi, 181)
+    ring = middle + found.reach * np.linalg.norm(middle) * np.stack([np.cos(turn), np.sin(turn)], 1)
+    ax.plot(*ring.T, "--", color=BLACK, lw=1.2, clip_on=True)
+    ax.set_title(
+        f"{100 * found.share:.0f} % of the cells; out to {100 * found.reach:.0f} % "
+        "of the way to a corner",
+        fontsize=10.5,
+    )
+    return fig
+
+
+@figure("Focal length, principal point and k1 with their sigma, from two views up to all.")
+def views_grow(pixels: Sequence[ArrayLike]) -> Figure:
+    """Show what is estimated, with its standard deviation, as views are added one by one.
+
+    Parameters
+    ----------
+    pixels : sequence of array_like, shape (54, 2)
+        Corners of each view.
+
+    Returns
+    -------
+    Figure
+        A panel for each of fx, cx and k1, against the number of views.
+    """
+    counts = range(2, len(pixels) + 1)
+    found = [first_views(pixels, n) for n in counts]
+    fig, axes = panels(1, 3, (FULL_WIDTH, 2.9))
+    labels = {"fx": "fx (px)", "cx": "cx (px)", "k1": "k1"}
+    for ax, (name, label) in zip(axes, labels.items(), strict=True):
+        values = [
+            dict(zip(("fx", "cx", "k1"), (c.K[0, 0], c.K[0, 2], c.coefficients[0]), strict=True))[
+                name
+            ]
+            for c in found
+        ]
+        ax.axhline(values[-1], color=GREY, lw=0.8)
+        ax.errorbar(
+            counts,
+            values,
+            yerr=[c.sigma[name] for c in found],
+            fmt="o",
+            color=ROLES["camera"],
+            ecolor=ROLES["ray"],
+            ms=4,
+            lw=1.6,
+        )
+        ax.set(xlabel="views", title=label)
+        ax.set_xticks([2, 5, 10, 13])
+    return fig
+
+
+def first_views(pixels: Sequence[ArrayLike], count: int) -> Calibration:
+    """Return the calibration with k1 and k2 from the first views."""
+    model = CameraModel(coefficients=("k1", "k2"))
+    return calibrate(BOARD.points(), pixels[:count], SIZE, model)
+
+
+@figure("The RMS of the views used falls with every coefficient; that of held-out views rises.")
+def held_out_models(pixels: Sequence[ArrayLike]) -> Figure:
+    """Show for longer and longer models the RMS of the views used, and of views held out.
+
+    Parameters
+    ----------
+    pixels : sequence of array_like, shape (54, 2)
+        Corners of each view.
+
+    Returns
+    -------
+    Figure
+        Two lines against the number of coefficients, from one on.
+    """
+    fig, ax = panels(1, 1, (FULL_WIDTH * 0.8, 3.0))
+    found = [model_errors(pixels, names) for names in MODELS[1:]]
+    counts = [len(names) for names in MODELS[1:]]
+    ax.plot(counts, [own for own, _ in found], "o-", color=ROLES["camera"])
+    ax.plot(counts, [others for _, others in found], "s-", color=ROLES["object"])
+    write(ax, (8.2, found[-2][1] + 0.0035), "views held out", "object")
+    write(ax, (10.2, found[-1][0] - 0.003), "views used", "camera")
+    ax.set(xlabel="coefficients of distortion", ylabel="RMS (px)", xticks=counts)
+    low = min(own for own, _ in found)
+    ax.set_ylim(low - 0.006, max(others for _, others in found) + 0.004)
+    return fig
+
+
+def model_errors(pixels: Sequence[ArrayLike], names: tuple[str, ...]) -> tuple[float, float]:
+    """Return the RMS of the views used, and of views held out, for a set of coefficients."""
+    model = CameraModel(coefficients=names)
+    own = calibrate(BOARD.points(), pixels, SIZE, model).rms
+    others = held_out_rms(BOARD.points(), pixels, SIZE, model)
+    return own, float(np.sqrt((others**2).mean()))
