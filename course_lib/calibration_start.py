@@ -30,8 +30,8 @@ from course_lib.zhang import (
 LIKELY_FOCAL = (0.2, 20.0)
 #: With more points in a view than this, a part of them is enough for the first steps.
 ENOUGH_POINTS = 60
-#: So many of each view are enough for a first guess of the distortion.
-FEW_POINTS = 20
+#: So many of each view are enough for the closed form.
+FEW_POINTS = 40
 #: With such a standard deviation of f, as a share of it, there may be another minimum.
 DOUBTFUL = 0.02
 
@@ -145,7 +145,7 @@ def with_distortion(state: State, views: Views) -> State:
     """Return the state with Zhang's first guess of k1 and k2, if the model has both."""
     if not {"k1", "k2"} <= set(state.model.coefficients):
         return state
-    K, views = state.K, views.thinned(FEW_POINTS)
+    K = state.K
     X = state.R @ views.points + state.t[:, :, None]
     ideal = (K[:2] @ (X / X[:, 2:])).transpose(0, 2, 1)
     observed = views.pixels.transpose(0, 2, 1)
@@ -179,13 +179,13 @@ def minimum(
         If the measurements do not determine the camera.
     """
     check_enough(views, model, known=start is not None)
-    few = views.thinned(ENOUGH_POINTS)
+    few, some = views.thinned(FEW_POINTS), views.thinned(ENOUGH_POINTS)
     Hs = view_homographies(few)
     check_order(few, Hs)
     check_tilts(Hs, size, model)
     state = starting_state(few, Hs, size, model, start)
-    if few is not views:
-        state, _ = minimised(state, few, last_gain=1e-3)
+    if some is not views:
+        state, _ = minimised(state, some, last_gain=1e-3)
     state, normals = minimised(state, views)
     if start is not None or vagueness(state, normals, views.observations) < DOUBTFUL:
         return state, normals
