@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from functools import partial
 
-from benchmarks import commands, compute, estimate, latency, lens
+from benchmarks import calibration, commands, compute, estimate, latency, lens
 from benchmarks.table import RESULTS, Row, write_section
 
 #: Every entry is a function that returns rows. Add yours here.
@@ -16,6 +16,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "projecting": compute.projecting,
     "rendering": compute.rendering,
     "defocusing": compute.defocusing,
+    "calibrating": calibration.calibrating,
     "distorting": lens.distorting,
     "estimating": estimate.estimating,
     "starting": commands.starting,
