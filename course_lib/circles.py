@@ -18,6 +18,10 @@ from course_lib.checks import (
     check_rotation,
     check_vector,
 )
+from course_lib.distortion_model import distort
+
+#: Corners of the polygon that stands for a circle.
+CORNERS = 48
 
 
 def image_of_circles(H: Array, centres: Array, radius: float) -> Array:
@@ -100,3 +104,65 @@ def circle_bias(
     middles = np.linalg.solve(conics[:, :2, :2], -conics[:, :2, 2:])[..., 0]
     pictures = np.column_stack([centres[:, :2], np.ones(len(centres))]) @ H.T
     return np.asarray(middles - pictures[:, :2] / pictures[:, 2:])
+
+
+def distorted_circle_bias(
+    centres: ArrayLike,
+    radius: float,
+    K: ArrayLike,
+    R: ArrayLike,
+    t: ArrayLike,
+    coefficients: ArrayLike,
+) -> Array:
+    """Return how far the centroids of pictures of circles are off, through a lens that distorts.
+
+    Parameters
+    ----------
+    centres, radius, K, R, t
+        As for `circle_bias`.
+    coefficients : array_like
+        Distortion as in `course_lib.distortion.distort`.
+
+    Returns
+    -------
+    ndarray, shape (N, 2)
+        Centroid of the picture of the disk minus picture of its centre, px.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a shape is wrong or the radius not positive.
+    DegenerateConfigurationError
+        If a circle reaches behind the camera.
+
+    References
+    ----------
+    The centroid of a polygon, by Green's theorem; a circle has 48 corners here.
+
+    Examples
+    --------
+    >>> K = [[800, 0, 320], [0, 800, 240], [0, 0, 1]]
+    >>> distorted_circle_bias([[100, 0, 0]], 15, K, np.eye(3), [0, 0, 500], [-0.2]).round(3)
+    array([[-0.086,  0.   ]])
+    """
+    centres = check_points(centres, 3, "centres").reshape(-1, 3)
+    radius, K = check_length(radius, "radius"), check_intrinsics(K)
+    R, t = check_rotation(R), check_vector(t, 3, "t")
+    turn = np.arange(CORNERS) * 2 * np.pi / CORNERS
+    # A polygon of the same area.
+    radius *= np.sqrt(2 * np.pi / CORNERS / np.sin(2 * np.pi / CORNERS))
+    rim = radius * np.stack([np.cos(turn), np.sin(turn), np.zeros(CORNERS)], axis=1)
+    X = np.concatenate([centres[:, None] + rim, centres[:, None]], axis=1) @ R.T + t
+    if (X[..., 2] <= 0).any():
+        raise DegenerateConfigurationError("a circle reaches behind the camera: it has no picture")
+    ideal = (X[..., :2] / X[..., 2:]).reshape(-1, 2)
+    pixels = (distort(ideal, coefficients) @ K[:2, :2].T + K[:2, 2]).reshape(*X.shape[:2], 2)
+    return _centroids(pixels[:, :-1] - pixels[:, -1:])
+
+
+def _centroids(polygons: Array) -> Array:
+    """Return the centroids of the areas of polygons, shape (N, M, 2)."""
+    after = np.roll(polygons, -1, axis=1)
+    area = polygons[..., 0] * after[..., 1] - after[..., 0] * polygons[..., 1]
+    moment = ((polygons + after) * area[..., None]).sum(axis=1)
+    return np.asarray(moment / (3 * area.sum(axis=1, keepdims=True)))

@@ -15,7 +15,6 @@ MATHEMATICS = {
     "calibration_coverage",
     "calibration_degeneracy",
     "calibration_derivatives",
-    "calibration_files",
     "calibration_judgement",
     "calibration_model",
     "calibration_refinement",
@@ -92,7 +91,11 @@ MAY_IMPORT = {
         "course_lib.authoring",
         "course_lib.notebook",
     },
-    "course_lib.calibrating": {"course_lib.detection", "data_generators"},
+    "course_lib.calibrating": {
+        "course_lib.calibration_files",
+        "course_lib.detection",
+        "data_generators",
+    },
     "course_lib.data": set(),
     "course_lib.judging": set(),
     "course_lib.drawing": {

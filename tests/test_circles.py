@@ -5,7 +5,8 @@ import pytest
 
 from course_lib import circles
 from course_lib.checks import DegenerateConfigurationError
-from course_lib.circles import circle_bias, image_of_circles
+from course_lib.circles import circle_bias, distorted_circle_bias, image_of_circles
+from course_lib.distortion import distort_pixels
 from course_lib.projection import camera_matrix, project
 from course_lib.rotations import rotation_about_axis
 
@@ -57,6 +58,29 @@ def test_grows_with_the_area():
 def test_degenerate():
     with pytest.raises(DegenerateConfigurationError, match="behind the camera"):
         circle_bias([(0, 0, 0)], 50.0, K, rotation_about_axis((1, 0, 0), 1.5), (0, 0, 40))
+
+
+class TestThroughALens:
+    LENS = (-0.3, 0.1, 0.001, 0.0005, 0)
+
+    def test_without_distortion_as_without_lens(self):
+        expected = circle_bias(CENTRES, 15.0, K, R, T)
+        np.testing.assert_allclose(
+            distorted_circle_bias(CENTRES, 15.0, K, R, T, [0]), expected, atol=2e-4
+        )
+
+    def test_is_that_of_the_area(self):
+        rims = [outline(centre, 15.0) for centre in CENTRES]
+        bent = [distort_pixels(rim, K, self.LENS) for rim in rims]
+        middles = distort_pixels(project(CENTRES, camera_matrix(K, R, T)), K, self.LENS)
+        measured = np.array([centroid(rim) for rim in bent]) - middles
+        bias = distorted_circle_bias(CENTRES, 15.0, K, R, T, self.LENS)
+        np.testing.assert_allclose(bias, measured, atol=5e-4)
+        assert np.abs(bias - circle_bias(CENTRES, 15.0, K, R, T)).max() > 0.02
+
+    def test_behind_the_camera(self):
+        with pytest.raises(DegenerateConfigurationError, match="behind the camera"):
+            distorted_circle_bias([(0, 0, 0)], 5, K, R, (0, 0, 1), [0])
 
 
 def test_errors():

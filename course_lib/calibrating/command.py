@@ -102,14 +102,24 @@ def _calibrate(options: argparse.Namespace) -> int:
 def _check_enough(photos: Sequence[Photo]) -> None:
     """Raise unless the board was found in three photographs."""
     used = [photo for photo in photos if photo.used]
-    if len(used) >= 3:
-        return
     kinds = Counter(photo.problem for photo in photos if not photo.used)
+    if len(used) >= 3 and kinds["wrong size"] <= len(used):
+        return
     told = ", ".join(f"{count} {kind}" for kind, count in kinds.most_common())
-    hint = ""
-    if kinds and kinds.most_common(1)[0][0] == "wrong size":
-        hint = " Look at what was seen above: --board wants inner corners, not squares."
+    hint = _hint(photos)
     raise ValueError(
         f"the board was found in {len(used)} of {len(photos)} photographs; 3 are needed, 10 to 30 "
         f"are good. Of the others: {told}.{hint}"
+    )
+
+
+def _hint(photos: Sequence[Photo]) -> str:
+    """Return what board was seen in most photographs."""
+    seen = Counter(p.detection.seen for p in photos if p.detection and all(p.detection.seen))
+    (columns, rows), count = seen.most_common(1)[0] if seen else ((0, 0), 0)
+    if count < len(photos) / 2:
+        return ""
+    return (
+        f" In {count} of them {columns} × {rows} were seen: is it --board {columns}x{rows}? "
+        "It wants inner corners, where four squares meet, not squares."
     )

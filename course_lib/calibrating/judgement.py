@@ -20,8 +20,8 @@ ENOUGH, FEW = 10, 6
 COVERED, REACHED = 0.7, 0.85
 #: A board tilted by less tells little of the focal length, degrees.
 TILTED_DEG = 15.0
-#: RMS in px by picture width in px: good, and still usable.
-GOOD_RMS, FAIR_RMS = 0.0005, 0.0015
+#: RMS by the blur of the edges: good, and still usable. Sharp pictures have a blur of 0.7 px.
+GOOD_RMS, FAIR_RMS, SHARP = 0.35, 1.0, 0.7
 #: Held-out pictures may be so many times worse.
 HELD_OUT = 1.5
 #: A view is worth another photograph if its error is so many times the usual one.
@@ -101,7 +101,7 @@ def judge(solved: Solved) -> Judgement:
     worse = np.flatnonzero(view_rms > WORSE * np.median(view_rms))
     retake = tuple(solved.views[i].name for i in worse)
     statements = (
-        *_on_error(solved, view_rms),
+        *_on_error(solved),
         *_on_views(solved, retake),
         *_on_coverage(covered),
         *_on_tilts(solved),
@@ -114,32 +114,34 @@ def judge(solved: Solved) -> Judgement:
     return Judgement(tuple(ranked), covered, view_rms, retake)
 
 
-def _on_error(solved: Solved, view_rms: Array) -> Iterator[Statement]:
+def _on_error(solved: Solved) -> Iterator[Statement]:
     """Speak about the reprojection error, on the pictures themselves and on those held out."""
-    rms, width = solved.calibration.rms, solved.calibration.image_size[0]
+    rms, blur = solved.calibration.rms, _usual_blur(solved)
     told = f"A typical point is {rms:.2f} px from where the camera expects it"
-    if rms <= max(GOOD_RMS * width, 0.2):
+    if rms <= GOOD_RMS * blur:
         yield Statement("good", f"{told}: very good.")
-    elif rms <= max(FAIR_RMS * width, 0.6):
-        yield Statement("good", f"{told}: usable; below {max(GOOD_RMS * width, 0.2):.1f} is good.")
+    elif rms <= FAIR_RMS * blur:
+        yield Statement("good", f"{told}: usable; below {GOOD_RMS * blur:.2g} is very good.")
     else:
         yield Statement(
             "bad",
             f"{told}: too much. Is the board flat, --board right, the focus the same in all "
-            "photographs?",
+            "photographs? For a very wide lens, try --coefficients k1,k2,k3,k4,k5,k6.",
         )
     if len(solved.held_out):
         other = float(np.sqrt(np.mean(solved.held_out**2)))
-        if other > HELD_OUT * rms:
-            yield Statement(
-                "bad",
-                f"In photographs that it was not calibrated with it is {other:.2f} px: the camera "
-                "fits these pictures only. Take more, or estimate fewer --coefficients.",
-            )
+        told = f"In photographs that it was not calibrated with it is {other:.2f} px"
+        if other <= HELD_OUT * rms:
+            yield Statement("good", f"{told}.")
         else:
-            yield Statement(
-                "good", f"In photographs that it was not calibrated with it is {other:.2f} px."
-            )
+            said = "fits these pictures only. Take more, or estimate fewer --coefficients."
+            yield Statement("bad", f"{told}: the camera {said}")
+
+
+def _usual_blur(solved: Solved) -> float:
+    """Return the blur of the edges in the middle of all photographs, px."""
+    blurs = [p.detection.blur for p in solved.views if p.detection is not None]
+    return max(float(np.median(blurs)), SHARP) if np.isfinite(blurs).all() else SHARP
 
 
 def _on_views(solved: Solved, retake: tuple[str, ...]) -> Iterator[Statement]:

@@ -7,6 +7,13 @@ import re
 
 from course_lib.boards import Board, Charuco, Checkerboard, DotGrid, SquareGrid
 
+LENGTHS = {
+    "square": "side of a square, measured on the print; of a dot grid, the distance of "
+    "neighbouring centres",
+    "diameter": "of a dot (0.6 of the distance)",
+    "marker": "side of a ChArUco marker (0.73 of a square)",
+    "pitch": "with --kind squares: from one edge to the same edge of the next",
+}
 KINDS = ("checkerboard", "dots", "charuco", "squares")
 
 
@@ -19,26 +26,12 @@ def add_board_options(command: argparse.ArgumentParser) -> None:
         metavar="9x6",
         help="inner corners across and down (one fewer than squares); or dots, or squares",
     )
-    command.add_argument(
-        "--square",
-        required=True,
-        type=float,
-        metavar="MM",
-        help="side of a square in mm, measured on the print; of a dot grid the distance of "
-        "neighbouring centres",
-    )
     command.add_argument("--kind", choices=KINDS, default=KINDS[0], help="(%(default)s)")
-    command.add_argument(
-        "--diameter", type=float, metavar="MM", help="of a dot (0.6 of the distance)"
-    )
-    command.add_argument(
-        "--marker", type=float, metavar="MM", help="side of a ChArUco marker (0.73 of a square)"
-    )
+    for name, meaning in LENGTHS.items():
+        needed = name == "square"
+        command.add_argument(f"--{name}", required=needed, type=float, metavar="MM", help=meaning)
     command.add_argument(
         "--dictionary", default="DICT_5X5_1000", help="of ChArUco markers (%(default)s)"
-    )
-    command.add_argument(
-        "--pitch", type=float, metavar="MM", help="from square to square, of separate squares"
     )
 
 

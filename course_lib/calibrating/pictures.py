@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import glob
 import hashlib
+import re
 import warnings
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -73,15 +74,21 @@ def find_photos(arguments: Sequence[str]) -> list[Path]:
     for argument in arguments:
         path = Path(argument)
         if path.is_dir():
-            inside = sorted(p for p in path.iterdir() if p.suffix.lower() in ENDINGS)
-            found += inside
+            inside = [p for p in path.iterdir() if p.suffix.lower() in ENDINGS]
+            found += sorted(inside, key=_in_counting_order)
         elif any(sign in argument for sign in "*?[") and not path.exists():
-            found += [Path(name) for name in sorted(glob.glob(argument))]
+            found += sorted(map(Path, glob.glob(argument)), key=_in_counting_order)
         else:
             found.append(path)
     if not found:
         raise ValueError(f"no photographs in {' '.join(arguments)}: name files or a folder")
     return list(dict.fromkeys(found))
+
+
+def _in_counting_order(path: Path) -> list[tuple[int, str]]:
+    """Return a key by which view2 comes before view10."""
+    parts = re.split(r"(\d+)", path.name)
+    return [(int(part), "") if part.isdigit() else (0, part) for part in parts]
 
 
 def read_header(path: Path) -> Header:

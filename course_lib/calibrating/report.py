@@ -91,7 +91,8 @@ def report_html(solved: Solved, judgement: Judgement, files: list[Path], notes: 
     style = STYLE.read_text("utf-8")
     head = f"<meta charset='utf-8'><title>Calibration report</title><style>{style}</style>"
     body = "\n".join(parts)
-    return f"<!doctype html>\n<html lang='en'>\n<head>{head}</head>\n<body>\n{body}\n</body>\n</html>\n"
+    page = f"<html lang='en'>\n<head>{head}</head>\n<body>\n{body}\n</body>\n</html>\n"
+    return f"<!doctype html>\n{page}"
 
 
 def _statements(judgement: Judgement) -> str:

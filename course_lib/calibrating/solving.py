@@ -19,9 +19,8 @@ from course_lib.calibration import (
     held_out_rms,
 )
 from course_lib.checks import Array, DegenerateConfigurationError
-from course_lib.circles import circle_bias
+from course_lib.circles import distorted_circle_bias
 from course_lib.detection import Detection
-from course_lib.distortion import distort_pixels
 
 #: Fewer views cannot do without one in five.
 FEWEST_TO_HOLD_OUT = 6
@@ -122,25 +121,13 @@ def _without_bias(
     robust: RobustCalibration, board: DotGrid, found: Sequence[Detection]
 ) -> list[Array]:
     """Return the centroids where the pictures of the dots' centres are."""
-    pixels = [f.points.copy() for f in found]
-    for i, bias in zip(
-        np.flatnonzero(robust.kept_views).tolist(), _biases(robust, board), strict=True
-    ):
-        pixels[i] -= bias[found[i].ids]
+    camera, pixels = robust.calibration, [f.points.copy() for f in found]
+    kept, points = np.flatnonzero(robust.kept_views).tolist(), board.points()
+    for i, (R, t) in zip(kept, camera.poses, strict=True):
+        pixels[i] -= distorted_circle_bias(
+            points[found[i].ids], board.diameter / 2, camera.K, R, t, camera.coefficients
+        )
     return pixels
-
-
-def _biases(robust: RobustCalibration, board: DotGrid) -> list[Array]:
-    """Return by how much the centroids of all dots are off in each view that was kept."""
-    camera, points, biases = robust.calibration, board.points(), []
-    for R, t in camera.poses:
-        bias = circle_bias(points, board.diameter / 2, camera.K, R, t)
-        ideal = points @ R.T + t
-        ideal = (ideal[:, :2] / ideal[:, 2:]) @ camera.K[:2, :2].T + camera.K[:2, 2]
-        # Through the lens, both move; only their difference counts.
-        both = [distort_pixels(p, camera.K, camera.coefficients) for p in (ideal + bias, ideal)]
-        biases.append(both[0] - both[1])
-    return biases
 
 
 def _held_out(

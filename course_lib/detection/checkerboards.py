@@ -44,6 +44,7 @@ def detect_checkerboard(image: ArrayLike, board: Checkerboard) -> Detection:
             "wrong size",
             f"Saw at least {columns} × {rows} corners, but the board should have {board.name}. "
             "Count the inner corners, where four squares meet.",
+            (columns, rows),
         )
     fit = fit_in_suitable_size(grey, rough.reshape(-1, 2))
     ids = np.flatnonzero(fit.good)
@@ -139,7 +140,8 @@ def _goes_on(grey: Picture, grid: Array) -> bool:
     The squares right after the last row of corners are the board's own.
     """
     first = next_row(grid)
-    beyond = np.stack([first, next_row(np.concatenate([grid, first[None]]))])
+    # Half a square is enough: many boards end in halves.
+    beyond = np.stack([first, (first + next_row(np.concatenate([grid, first[None]]))) / 2])
     if (beyond < 0).any() or (beyond > np.array(grey.shape)[::-1] - 1).any():
         return False
     even, odd = _squares(grey, grid)

@@ -31,8 +31,9 @@ SURROUNDINGS = (0.12, 0.3, 0.06)
 DARKER = 12  # grey levels
 #: How much of a grid must be there.
 MOST = 0.85
-#: How far around a dot, by its own radius, its pixels and the paper beside it are looked at.
-DOT, PAPER = 1.3, 1.7
+#: How far a dot and the paper around it reach, by its own radius; and px of blur on top.
+DOT, PAPER, EDGE = 1.1, 1.7, 2.0
+NEIGHBOURS = 8
 
 
 class Blobs(NamedTuple):
@@ -134,35 +135,47 @@ def _board_of(
 def centroids(grey: Picture, blobs: Blobs) -> tuple[Array, Array]:
     """Return the centroids of dots, weighted by how dark their pixels are, and their blurs, px."""
     points, blurs = np.empty_like(blobs.middles), np.empty(len(blobs.middles))
-    for i, (middle, spread) in enumerate(zip(blobs.middles, blobs.spreads, strict=True)):
-        points[i], blurs[i] = _centroid(grey, middle, spread)
+    for i, middle in enumerate(blobs.middles):
+        near = np.argsort(np.linalg.norm(blobs.middles - middle, axis=1))[: 1 + NEIGHBOURS]
+        points[i], blurs[i] = _centroid(grey, Blobs(blobs.middles[near], blobs.spreads[near]))
     return points, blurs
 
 
-def _centroid(grey: Picture, middle: Array, spread: Array) -> tuple[Array, float]:
-    """Return the centroid of one dot and its blur."""
+def _centroid(grey: Picture, dots: Blobs) -> tuple[Array, float]:
+    """Return the centroid of the first of some dots, the others being near, and its blur."""
+    middle, spread = dots.middles[0], dots.spreads[0]
     reach = np.ceil(PAPER * 2 * np.sqrt(np.diagonal(spread)) + 2).astype(int)
     first = np.maximum(np.rint(middle).astype(int) - reach, 0)
     window = grey[first[1] : first[1] + 2 * reach[1] + 1, first[0] : first[0] + 2 * reach[0] + 1]
     window = window.astype(float)
     v, u = np.indices(window.shape)
-    from_middle = np.stack([u + first[0] - middle[0], v + first[1] - middle[1]], axis=-1)
-    # The outline is where dᵀ S⁻¹ d = 4. Beyond it, there are at least 2 px of blur.
-    radius = np.sqrt(np.einsum("vui,ij,vuj->vu", from_middle, np.linalg.inv(spread), from_middle))
-    wide = 2 * DOT + 2 / np.sqrt(np.linalg.eigvalsh(spread)[0])
-    paper = (radius > wide) & (radius < wide + 2 * (PAPER - DOT) + 0.5)
+    places = np.stack([u + first[0], v + first[1]], axis=-1)
+    radii = np.stack([_radii(places, *dot) for dot in zip(*dots, strict=True)])
+    # What is nearer to a neighbour is its own.
+    mine = radii[0] < radii[1:].min(axis=0, initial=np.inf)
+    dot, paper = mine & (radii[0] <= 1), (radii > 1).all(axis=0)
     if paper.sum() < 6:
         return middle, 0.0
+    from_middle = places - middle
     plane = np.column_stack([np.ones(paper.sum()), from_middle[paper]])
     level = np.linalg.lstsq(plane, window[paper], rcond=None)[0]
-    darkness = np.where(radius <= wide, level[0] + from_middle @ level[1:] - window, 0)
+    darkness = np.where(dot, level[0] + from_middle @ level[1:] - window, 0)
     down, across = np.gradient(window)
-    steepest = np.percentile(np.hypot(down, across)[radius <= wide], 97)
-    contrast = np.percentile(darkness[radius < 1], 50)
+    steepest = np.percentile(np.hypot(down, across)[dot], 97)
+    contrast = np.percentile(darkness[dot], 75)
     # A step of height c blurred by s is steepest with c / (s √(2 π)).
     blur = contrast / (np.sqrt(2 * np.pi) * max(steepest, 1e-9))
     weight = darkness / max(darkness.sum(), 1e-9)
     return middle + np.einsum("vu,vui->i", weight, from_middle), float(blur)
+
+
+def _radii(places: Array, middle: Array, spread: Array) -> Array:
+    """Return how far places are from a dot: 1 where its blurred edge surely ends."""
+    from_middle = places - middle
+    inverse = np.linalg.inv(spread)
+    # The outline is where dᵀ S⁻¹ d = 4; beyond it comes the blur.
+    radius = np.sqrt(np.einsum("vui,ij,vuj->vu", from_middle, inverse, from_middle))
+    return np.asarray(radius / (2 * DOT + EDGE / np.sqrt(np.linalg.eigvalsh(spread)[0])))
 
 
 def why_no_grid(grey: Picture, part: Blobs, board: DotGrid | SquareGrid) -> Detection:
@@ -182,6 +195,9 @@ def why_no_grid(grey: Picture, part: Blobs, board: DotGrid | SquareGrid) -> Dete
     at_edge = ((part.middles < margin) | (part.middles > limit)).any(axis=1)
     if at_edge.any() and len(places) < board.rows * board.columns:
         return nothing(
-            "cut off", f"{said}, up to the edge of the picture. All of it must be in the picture."
+            "cut off",
+            f"{said}, up to the edge of the picture. All of it must be in the picture.",
+            (columns, rows),
         )
-    return nothing("wrong size", f"{said}. Count them; if the count is right, some are hidden.")
+    said += ". Count them; if the count is right, some are hidden."
+    return nothing("wrong size", said, (columns, rows))

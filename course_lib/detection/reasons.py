@@ -82,7 +82,8 @@ def why_not_found(grey: Picture, board: Checkerboard) -> Detection:
     if rows > columns and board.columns >= board.rows:
         rows, columns = columns, rows
     problem, cause = _cause(seen, board)
-    return nothing(problem, f"Saw {columns} × {rows} corners instead of {board.name}{cause}")
+    said = f"Saw {columns} × {rows} corners instead of {board.name}{cause}"
+    return nothing(problem, said, (columns, rows))
 
 
 def _cause(seen: Seen, board: Checkerboard) -> tuple[Problem, str]:

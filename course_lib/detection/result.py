@@ -38,8 +38,10 @@ class Detection:
     verdict : str
         The same in a sentence, with what to do.
     blur : float
-        Standard deviation of the blur in the middle of all corners, px; NaN unless found, and
-        for dots.
+        Standard deviation of the blur, px, in the middle of all corners; of dots roughly; NaN
+        unless the board was found, and for separate squares.
+    seen : tuple of int
+        Columns and rows of what was seen instead of the board, ``(0, 0)`` if there was nothing.
     """
 
     found: bool
@@ -48,6 +50,7 @@ class Detection:
     problem: Problem
     verdict: str
     blur: float = float("nan")
+    seen: tuple[int, int] = (0, 0)
 
     @property
     def good(self) -> bool:
@@ -55,9 +58,10 @@ class Detection:
         return self.found and not self.problem
 
 
-def nothing(problem: Problem, verdict: str) -> Detection:
+def nothing(problem: Problem, verdict: str, seen: tuple[int, int] = (0, 0)) -> Detection:
     """Return a detection without points."""
-    return Detection(False, np.empty((0, 2)), np.empty(0, np.intp), problem, verdict)
+    none = np.empty((0, 2)), np.empty(0, np.intp)
+    return Detection(False, *none, problem, verdict, seen=seen)
 
 
 def grey_picture(image: ArrayLike) -> Picture:

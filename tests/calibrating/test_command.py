@@ -1,0 +1,120 @@
+import html.parser
+
+import numpy as np
+import pytest
+
+from course_lib.calibration_files import read_camera
+from course_lib.cli import main
+
+
+class Tags(html.parser.HTMLParser):
+    """Counts tags, and asserts that each is closed."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.seen, self.text = [], [], ""
+
+    def handle_starttag(self, tag, attrs):
+        self.seen.append((tag, dict(attrs)))
+        if tag not in ("meta", "image", "rect", "path", "circle"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if self.open and self.open[-1] == tag:
+            self.open.pop()
+
+    def handle_data(self, data):
+        self.text += data
+
+
+@pytest.fixture(scope="module")
+def output(folder, tmp_path_factory):
+    target = tmp_path_factory.mktemp("calibration") / "out"
+    arguments = ["calibrate", str(folder), "--board", "7x5", "--square", "30"]
+    code = main([*arguments, "--output", str(target), "--coefficients", "k1,k2,p1,p2"])
+    return code, target
+
+
+class TestCalibrate:
+    def test_code_says_whether_there_is_something_to_do(self, output):
+        code, target = output
+        page = (target / "report.html").read_text("utf-8")
+        assert code == (1 if "<li class='bad'>" in page else 0)
+
+    def test_every_file_holds_the_same_camera(self, output, truth):
+        _, target = output
+        names = {p.name for p in target.iterdir()}
+        assert names == {"report.html", "camera.yml", "camera.m", "camera.yaml", "camera.json"}
+        cameras = [read_camera(target / f"camera.{end}") for end in ("yml", "m", "yaml", "json")]
+        for camera in cameras:
+            np.testing.assert_allclose(camera.K, cameras[0].K, rtol=1e-12)
+            np.testing.assert_allclose(
+                camera.coefficients[:4], cameras[0].coefficients[:4], rtol=1e-12
+            )
+        np.testing.assert_allclose(cameras[0].K, truth.K, rtol=0.02)
+
+    def test_report_is_whole_and_names_everything(self, output, folder):
+        _, target = output
+        page = Tags()
+        page.feed((target / "report.html").read_text("utf-8"))
+        assert page.open == []
+        for path in folder.iterdir():
+            assert path.name in page.text
+        images = [attrs for tag, attrs in page.seen if tag == "image"]
+        assert len(images) >= 11
+        assert all(i["href"].startswith("data:image/jpeg;base64,") for i in images)
+        pictures = [attrs for tag, attrs in page.seen if tag == "svg"]
+        assert all(p["role"] == "img" and p["aria-label"] for p in pictures)
+        assert not [a for _, a in page.seen if "src" in a or a.get("href", "").startswith("http")]
+
+    def test_wrong_board_is_told(self, folder, tmp_path, capsys):
+        paths = [str(folder / f"view{n}.png") for n in (1, 2, 3, 4)]
+        code = main(
+            ["calibrate", *paths, "--board", "8x6", "--square", "30", "--output", str(tmp_path)]
+        )
+        said = capsys.readouterr()
+        assert code == 2
+        assert "is it --board 7x5?" in said.err
+        assert not list(tmp_path.iterdir())
+
+    def test_too_few(self, folder, tmp_path, capsys):
+        photos = [str(folder / name) for name in ("view1.png", "x_half.jpg")]
+        options = ["--board", "7x5", "--square", "30", "--output", str(tmp_path)]
+        code = main(["calibrate", *photos, *options])
+        said = capsys.readouterr()
+        assert code == 2
+        assert "1 of 2 photographs; 3 are needed" in said.err
+        assert "damaged or cut off" in said.out
+
+    @pytest.mark.parametrize(
+        ("options", "said"),
+        [
+            (["--board", "7x5", "--square", "0"], "square must be positive"),
+            (["--board", "1x5", "--square", "30"], "columns must be a whole number"),
+            (["--board", "7x5", "--square", "30", "--coefficients", "k9"], "coefficients must be"),
+            (["--board", "7x5", "--square", "30", "--kind", "squares"], "need --pitch"),
+        ],
+    )
+    def test_impossible_options(self, folder, options, said, capsys):
+        assert main(["calibrate", str(folder), *options]) == 2
+        assert said in capsys.readouterr().err
+
+    def test_board_as_words(self, capsys):
+        with pytest.raises(SystemExit):
+            main(["calibrate", "x", "--board", "nine by six", "--square", "30"])
+        assert "write it like 9x6" in capsys.readouterr().err
+
+
+class TestBoard:
+    @pytest.mark.parametrize("kind", ["checkerboard", "dots", "charuco"])
+    def test_writes_a_page(self, kind, tmp_path, capsys):
+        path = tmp_path / "board.pdf"
+        options = ["--board", "9x6", "--square", "25", "--kind", kind]
+        assert main(["board", str(path), *options]) == 0
+        assert path.read_bytes().startswith(b"%PDF")
+        assert "Print it at 100 %" in capsys.readouterr().out
+
+    def test_too_large(self, tmp_path, capsys):
+        code = main(["board", str(tmp_path / "b.pdf"), "--board", "9x6", "--square", "40"])
+        assert code == 2
+        assert "or print on A2" in capsys.readouterr().err

@@ -1,0 +1,125 @@
+import cv2
+import numpy as np
+import pytest
+from PIL import Image
+
+from course_lib.boards import Checkerboard
+from course_lib.calibrating.looking import look_at_photos
+from course_lib.calibrating.pictures import (
+    SetAside,
+    find_photos,
+    read_grey,
+    read_header,
+    usual_size,
+    why_other_size,
+)
+
+BOARD = Checkerboard(7, 5, 30)
+
+
+class TestSetAside:
+    @pytest.mark.parametrize(
+        ("name", "problem", "said"),
+        [
+            ("x_blurred.png", "blurred", "Hold the camera still"),
+            ("x_empty_table.png", "no board", "No checkerboard was found"),
+            ("x_small.png", "size", "240 × 180 px, most pictures 480 × 360: it was made smaller"),
+            ("x_turned.png", "size", "a program has turned it"),
+            ("x_again.png", "duplicate", "The same file as view3.png"),
+            ("x_tripod.png", "duplicate", "where it is in view1.png"),
+            ("x_nothing.jpg", "file", "empty (0 bytes)"),
+            ("x_letter.jpg", "file", "no picture that can be read"),
+            ("x_half.jpg", "file", "damaged or cut off"),
+            ("x_missing.jpg", "file", "no such file"),
+        ],
+    )
+    def test_named_with_a_reason(self, run, name, problem, said):
+        photo = run.photos[name]
+        assert not photo.used
+        assert photo.problem == problem
+        assert said in photo.verdict
+        assert any(f"- {name}: {photo.verdict}" in line for line in run.lines)
+
+    def test_the_others_are_used(self, run):
+        used = [name for name, photo in run.photos.items() if photo.used]
+        assert used == [f"view{number}.png" for number in range(1, 9)]
+
+    def test_progress_counts(self, run):
+        assert run.lines[0].startswith("[ 1/18] + view1.png: All 7 × 5 corners found.")
+        assert len(run.lines) == 18
+
+    def test_all_broken(self, tmp_path):
+        (tmp_path / "a.jpg").write_bytes(b"")
+        photos = look_at_photos([tmp_path / "a.jpg"], BOARD, lambda line: None)
+        assert [p.used for p in photos] == [False]
+
+
+class TestFinding:
+    def test_folder_in_counting_order(self, tmp_path):
+        for name in ("v10.jpg", "v2.JPG", "notes.txt", "v1.png"):
+            (tmp_path / name).touch()
+        assert [p.name for p in find_photos([str(tmp_path)])] == ["v1.png", "v2.JPG", "v10.jpg"]
+
+    def test_pattern_and_file_once(self, tmp_path):
+        for name in ("a.jpg", "b.jpg"):
+            (tmp_path / name).touch()
+        found = find_photos([str(tmp_path / "b.jpg"), str(tmp_path / "*.jpg")])
+        assert [p.name for p in found] == ["b.jpg", "a.jpg"]
+
+    def test_nothing(self, tmp_path):
+        with pytest.raises(ValueError, match="name files or a folder"):
+            find_photos([str(tmp_path)])
+
+
+class TestReading:
+    def test_stays_as_on_the_sensor(self, tmp_path):
+        picture = np.arange(12, dtype=np.uint8).reshape(3, 4) * 20
+        exif = Image.Exif()
+        exif[0x0112] = 6  # "turn by a quarter to the right"
+        Image.fromarray(picture).save(tmp_path / "a.png", exif=exif)
+        assert read_header(tmp_path / "a.png").size == (4, 3)
+        np.testing.assert_array_equal(read_grey(tmp_path / "a.png"), picture)
+
+    def test_focal_length(self, tmp_path):
+        exif = Image.Exif()
+        exif.get_ifd(0x8769)[0x920A] = 24.5
+        Image.new("RGB", (4, 3)).save(tmp_path / "a.jpg", exif=exif)
+        assert read_header(tmp_path / "a.jpg").focal == 24.5
+
+    @pytest.mark.parametrize("kind", [np.uint16, np.float32])
+    def test_many_grey_levels(self, tmp_path, kind):
+        picture = (np.arange(12).reshape(3, 4) / 11 * (65535 if kind == np.uint16 else 1)).astype(
+            kind
+        )
+        cv2.imwrite(str(tmp_path / "a.tif"), picture)
+        np.testing.assert_array_equal(read_grey(tmp_path / "a.tif"), picture)
+
+    def test_too_many_pixels(self, tmp_path, monkeypatch):
+        Image.new("L", (40, 30)).save(tmp_path / "a.png")
+        monkeypatch.setattr("course_lib.calibrating.pictures.MOST_PIXELS", 1000)
+        with pytest.raises(SetAside, match="too many"):
+            read_header(tmp_path / "a.png")
+
+    def test_more_pixels_than_pillow_likes(self, tmp_path, monkeypatch):
+        Image.new("L", (40, 30)).save(tmp_path / "a.png")
+        monkeypatch.setattr(Image, "MAX_IMAGE_PIXELS", 100)
+        assert read_grey(tmp_path / "a.png").shape == (30, 40)
+        assert Image.MAX_IMAGE_PIXELS == 100
+
+
+class TestSizes:
+    def headers(self, tmp_path, *sizes):
+        found = []
+        for number, size in enumerate(sizes):
+            Image.new("L", size).save(tmp_path / f"{number}.png")
+            found.append(read_header(tmp_path / f"{number}.png"))
+        return found
+
+    def test_most(self, tmp_path):
+        assert usual_size(self.headers(tmp_path, (4, 3), (8, 6), (4, 3))) == (4, 3)
+
+    def test_of_as_many_the_larger(self, tmp_path):
+        assert usual_size(self.headers(tmp_path, (4, 3), (8, 6))) == (8, 6)
+
+    def test_another_camera(self):
+        assert "another camera" in why_other_size((500, 360), (480, 360))
