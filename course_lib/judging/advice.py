@@ -51,6 +51,24 @@ ADVICE = (
         "This works for one number only; NumPy has it for arrays too.",
     ),
     ("TypeError", "not subscriptable", "One number has no parts that `[…]` could pick."),
+    (
+        "TypeError",
+        "stack() takes",
+        "Arrays to put together come as one list, with brackets of its own: "
+        "`np.column_stack([a, b])`.",
+    ),
+    (
+        "TypeError",
+        "concatenate() ",
+        "Arrays to put together come as one list, with brackets of its own: "
+        "`np.concatenate([a, b], axis=-1)`.",
+    ),
+    (
+        "TypeError",
+        "only integer scalar arrays",
+        "An array stands where a whole number belongs. Arrays to put together need brackets of "
+        "their own: `np.concatenate([a, b], axis=-1)`.",
+    ),
     ("TypeError", "positional argument", "Is the number of arguments the one in the exercise?"),
     ("NameError", "", "Python does not know this name. Is it misspelt, or never assigned?"),
     ("UnboundLocalError", "", "This name is used before it is assigned in the function."),
@@ -71,13 +89,13 @@ ADVICE = (
         "ValueError",
         "core dimension",
         "The inner sizes of the matrix product do not fit. Points are rows here, so a matrix A "
-        "moves them as `points @ A.T`. Print both shapes.",
+        "moves them as `points @ A.T`; homogeneous points have one number more. Print both shapes.",
     ),
     (
         "ValueError",
         "not aligned",
         "The inner sizes of the matrix product do not fit. Points are rows here, so a matrix A "
-        "moves them as `points @ A.T`. Print both shapes.",
+        "moves them as `points @ A.T`; homogeneous points have one number more. Print both shapes.",
     ),
     (
         "ValueError",
@@ -87,13 +105,14 @@ ADVICE = (
     (
         "ValueError",
         "concatenation axis",
-        "The arrays that you put together do not fit side by side. Print both shapes.",
+        "The arrays do not fit together in this direction. Side by side is `axis=-1`; without it "
+        "they go one below the other. Print both shapes.",
     ),
     (
         "ValueError",
         "same number of dimensions",
-        "A table and a list of numbers cannot be put together: both need rows and columns. "
-        "Print both shapes.",
+        "A table and a list of numbers, or a single number, cannot be put together: both need rows "
+        "and columns. Print both shapes. `np.column_stack` makes a column of a list.",
     ),
     (
         "LinAlgError",
@@ -116,9 +135,30 @@ ADVICE = (
         "must be square",
         "Only a square matrix has a determinant or an inverse. Take the square part of it.",
     ),
-    ("ValueError", "broadcast", "The shapes of the two arrays do not fit. Print both shapes."),
+    (
+        "ValueError",
+        "R must have shape (3, 3), got (3,)",
+        "Three numbers are no rotation. A shift alone has to be named: `rigid_matrix(t=…)`.",
+    ),
+    (
+        "ValueError",
+        "broadcast",
+        "The shapes of the two arrays do not fit. Print both shapes. Matrices are multiplied "
+        "with `@`, not with `*`.",
+    ),
+    (
+        "ValueError",
+        "inhomogeneous",
+        "The entries of this array differ in length. For points in rows, `p[..., 0]` is the first "
+        "number of each.",
+    ),
     ("ValueError", "truth value", "An `if` needs one yes or no; for arrays there is `np.where`."),
-    ("ValueError", "unpack", "The number of names on the left is not the number of values."),
+    (
+        "ValueError",
+        "unpack",
+        "The number of names on the left is not the number of values. A table comes apart into "
+        "its rows; `p[..., 0]` is the first number of each.",
+    ),
     ("RecursionError", "", "The function calls itself without end."),
 )
 

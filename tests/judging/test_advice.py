@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from course_lib.judging.advice import advice
+from course_lib.transforms import rigid_matrix
 
 
 def said(function, *inputs):
@@ -90,3 +91,32 @@ def test_matrices_without_an_inverse():
 
 def test_reshape_keeps_the_number_of_entries():
     assert "as many entries" in said(np.ones(12).reshape, 3, 3)
+
+
+@pytest.mark.parametrize("together", [np.column_stack, np.hstack, np.concatenate, np.stack])
+def test_arrays_to_put_together_need_brackets_of_their_own(together):
+    assert "brackets of its own" in said(np.column_stack, np.eye(3), np.ones(3))
+    assert "brackets of" in said(together, np.eye(3), np.ones((3, 1)))
+    words = said(lambda: np.concatenate(np.eye(3), np.ones((3, 1)), axis=-1))
+    assert "`np.concatenate([a, b], axis=-1)`" in words
+
+
+def test_ones_without_their_axis():
+    assert "`axis=-1`" in said(np.concatenate, [np.ones((4, 2)), np.ones((4, 1))])
+
+
+def test_star_between_matrices():
+    assert "`@`" in said(lambda K, pose: K * pose, np.eye(3), np.ones((3, 4)))
+
+
+def test_shift_without_its_name():
+    assert "`rigid_matrix(t=…)`" in said(rigid_matrix, np.ones(3))
+
+
+def test_rows_that_come_apart_as_rows():
+    def coordinates(point):
+        x, y, w = point
+        return np.array([x / w, -1, y])
+
+    assert "`p[..., 0]`" in said(coordinates, np.ones((4, 3)))
+    assert "`p[..., 0]`" in said(coordinates, np.ones((3, 4)))

@@ -37,6 +37,10 @@ def t_in_the_first_column(K, R, t):
     return K @ np.column_stack([t, R])
 
 
+def K_times_t_entry_by_entry(K, R, t):
+    return np.column_stack([K @ R, K * t])
+
+
 def divided_by_the_last_number(K, R, t):
     P = K @ np.column_stack([R, t])
     return P / P[2, 3]

@@ -52,6 +52,11 @@ CAMERA_MATRIX = Exercise(
             "You divide by the last number of P. For which camera is it zero, and does P need a "
             "scale at all?",
         ),
+        Misconception(
+            wrong.K_times_t_entry_by_entry,
+            "Your matrix has six columns. Which of Python's two products makes a single column of "
+            "K and t?",
+        ),
     ],
 )
 

@@ -124,7 +124,8 @@ LINE_THROUGH = Exercise(
         ),
         Misconception(
             wrong.middle_sign_forgotten,
-            "You are close: which of the three terms of a cross product is easily mistaken?",
+            "Put one of the points into your line's equation: the sum is not zero. Which of its "
+            "three terms has the wrong sign?",
         ),
         Misconception(
             wrong.difference_of_points,
@@ -137,6 +138,11 @@ LINE_THROUGH = Exercise(
         Misconception(
             wrong.number_by_number,
             "Number times number: is that perpendicular to both? Which product of vectors is?",
+        ),
+        Misconception(
+            wrong.slope_and_height_alone,
+            "You give a line two numbers, slope and height. Which two has a line straight up, and "
+            "how many has a homogeneous line?",
         ),
     ],
 )

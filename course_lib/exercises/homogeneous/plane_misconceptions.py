@@ -83,6 +83,11 @@ def slope_and_intercept(p, q):
     return np.stack([slope, -np.ones_like(slope), y1 - slope * x1], axis=-1)
 
 
+def slope_and_height_alone(p, q):
+    line = slope_and_intercept(p, q)
+    return line[..., [0, 2]]
+
+
 def direction_for_normal(p, q):
     line = np.cross(p, q)
     dx, dy = line[..., 1], -line[..., 0]
@@ -103,7 +108,7 @@ def difference_of_points(p, q):
 
 
 def scalar_product(p, q):
-    return np.dot(p, q)
+    return np.sum(p * q, axis=-1)
 
 
 def number_by_number(p, q):

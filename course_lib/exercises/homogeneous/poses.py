@@ -161,7 +161,8 @@ CV_FROM_GRAPHICS_CAMERA = Exercise(
         ),
         Misconception(
             wrong.last_row_for_the_centre,
-            "Your R is right, but t ignores the place. Does the place stand in a row or a column?",
+            "Your t does not know the place. Does the place stand in a row of the matrix or a "
+            "column?",
         ),
         Misconception(
             wrong.graphics_t_entry_by_entry,

@@ -81,6 +81,26 @@ def outer_product_whole(axis, angle):
     return c * np.eye(3) + np.outer(n, n) + np.sin(angle) * _cross(n)
 
 
+def cross_matrix_whole(axis, angle):
+    n, c = axis / np.linalg.norm(axis), np.cos(angle)
+    return c * np.eye(3) + (1 - c) * np.outer(n, n) + _cross(n)
+
+
+def sine_for_cosine(axis, angle):
+    n = axis / np.linalg.norm(axis)
+    return _three_terms(n, np.pi / 2 - angle, np.outer(n, n))
+
+
+def one_outside_of_its_bracket(axis, angle):
+    n, c = axis / np.linalg.norm(axis), np.cos(angle)
+    return c * np.eye(3) + 1 - c * np.outer(n, n) + np.sin(angle) * _cross(n)
+
+
+def axis_for_its_cross_matrix(axis, angle):
+    n, c = axis / np.linalg.norm(axis), np.cos(angle)
+    return c * np.eye(3) + (1 - c) * np.outer(n, n) + np.sin(angle) * n
+
+
 def sine_term_forgotten(axis, angle):
     n, c = axis / np.linalg.norm(axis), np.cos(angle)
     return c * np.eye(3) + (1 - c) * np.outer(n, n)

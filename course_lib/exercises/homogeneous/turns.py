@@ -39,7 +39,12 @@ ROTATION_ABOUT_AXIS = Exercise(
         Misconception(
             wrong.cosine_for_its_complement,
             "With an angle of zero nothing must turn. What does your matrix do then?",
-            also=[wrong.cosine_of_the_outer_product, wrong.outer_product_whole],
+            also=[
+                wrong.cosine_of_the_outer_product,
+                wrong.outer_product_whole,
+                wrong.cross_matrix_whole,
+                wrong.sine_for_cosine,
+            ],
         ),
         Misconception(
             wrong.sine_term_forgotten,
@@ -53,7 +58,9 @@ ROTATION_ABOUT_AXIS = Exercise(
         ),
         Misconception(
             wrong.number_for_a_matrix,
-            "NumPy adds a number to all nine entries. Which of your terms is no 3 × 3 matrix?",
+            "NumPy adds a number, or a list of three, to a whole matrix. Which of your terms is no "
+            "3 × 3 matrix?",
+            also=[wrong.one_outside_of_its_bracket, wrong.axis_for_its_cross_matrix],
         ),
         Misconception(
             wrong.number_for_the_outer_product,
