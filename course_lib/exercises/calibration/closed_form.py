@@ -111,6 +111,7 @@ INTRINSICS_FROM_HOMOGRAPHIES = Exercise(
         Misconception(
             wrong.inverse_left_out,
             "The factor of B is not yet K. What does B hold: K, or its inverse?",
+            also=[wrong.inverse_and_scale_left_out],
         ),
         Misconception(
             wrong.lower_triangle,
@@ -159,6 +160,18 @@ POSE_FROM_HOMOGRAPHY = Exercise(
         Misconception(
             wrong.behind_the_camera,
             "Look at the third number of your t: is the board before the camera?",
+        ),
+        Misconception(
+            wrong.only_t_turned_to_the_front,
+            "The unknown factor is common to r1, r2 and t. If it is negative, which of them turn?",
+        ),
+        Misconception(
+            wrong.last_factor_transposed,
+            "NumPy's SVD gives its last factor transposed already. What do you multiply U with?",
+        ),
+        Misconception(
+            wrong.built_upon_r1,
+            "Your R trusts r1 wholly and bends only r2. Which rotation is nearest to all columns?",
         ),
         Misconception(
             wrong.not_a_rotation,

@@ -127,6 +127,10 @@ def inverse_left_out(Hs):
     return K / K[2, 2]
 
 
+def inverse_and_scale_left_out(Hs):
+    return np.linalg.cholesky(matrix(null_vector(Hs))).T
+
+
 def lower_triangle(Hs):
     K = np.linalg.inv(np.linalg.cholesky(matrix(null_vector(Hs))))
     return K / K[2, 2]
@@ -184,6 +188,25 @@ def K_not_inverted(K, H):
 def behind_the_camera(K, H):
     M = scaled(np.linalg.inv(K) @ H) * (1 if H[2, 2] > 0 else -1)
     return nearest_rotation(M), M[:, 2]
+
+
+def only_t_turned_to_the_front(K, H):
+    M = scaled(np.linalg.inv(K) @ H) * (1 if H[2, 2] > 0 else -1)
+    return nearest_rotation(M), M[:, 2] * np.sign(M[2, 2])
+
+
+def last_factor_transposed(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    U, _, Vt = np.linalg.svd(np.column_stack([M[:, 0], M[:, 1], np.cross(M[:, 0], M[:, 1])]))
+    return U @ Vt.T, M[:, 2]
+
+
+def built_upon_r1(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    r1 = M[:, 0] / np.linalg.norm(M[:, 0])
+    r2 = M[:, 1] - r1 * (r1 @ M[:, 1])
+    r2 = r2 / np.linalg.norm(r2)
+    return np.column_stack([r1, r2, np.cross(r1, r2)]), M[:, 2]
 
 
 def not_a_rotation(K, H):

@@ -176,7 +176,8 @@ def linear_problem(rng: Generator, rows: int, unknowns: int) -> tuple[Floats, Fl
     J = (rng.normal(0, 1, (rows, unknowns)) * sizes).round(3)
     start = np.array([800, 320, 240, -0.2, 0.1])[:unknowns]
     start = start * (1 + 0.1 * rng.uniform(-1, 1, unknowns))
-    solution = J @ (rng.uniform(0.5, 1, unknowns) * rng.choice([-1, 1], unknowns) / sizes)
+    # Steps that are a good part of the parameters, so that they can be told from none.
+    solution = J @ (rng.uniform(15, 30, unknowns) * rng.choice([-1, 1], unknowns) / sizes)
     return start.round(4), solution + rng.normal(0, 0.3, rows).round(3), J
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from course_lib.exercises.calibration import inputs
+from course_lib.exercises.calibration import judgement_misconceptions as wrong
 from course_lib.exercises.calibration import plain_refinement as plain
-from course_lib.exercises.calibration import refinement_misconceptions as wrong
 from course_lib.judging import Exercise, Explain, Misconception, Part, YesOrNo
 
 REJECT_VIEWS = Exercise(
@@ -55,6 +55,11 @@ PARAMETER_COVARIANCE = Exercise(
         Misconception(
             wrong.divided_by_all,
             "With as many parameters as residuals all are zero. What should be divided by then?",
+            also=[wrong.divided_by_all_but_one, wrong.variance_of_numpy],
+        ),
+        Misconception(
+            wrong.not_squared,
+            "Residuals of opposite sign: do they cancel in your sum?",
         ),
         Misconception(
             wrong.divided_by_points,

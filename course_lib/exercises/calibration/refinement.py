@@ -24,6 +24,19 @@ INITIAL_DISTORTION = Exercise(
         Misconception(
             wrong.powers_of_r,
             "Which powers of r do k1 and k2 belong to?",
+            also=[wrong.powers_squared, wrong.powers_two_and_three],
+        ),
+        Misconception(
+            wrong.k2_before_k1,
+            "Both numbers are there. Which column of your matrix belongs to the first unknown?",
+        ),
+        Misconception(
+            wrong.fx_for_both,
+            "x is divided by fx. By which focal length is y divided?",
+        ),
+        Misconception(
+            wrong.observed_for_moved,
+            "Your right side holds pixels of the picture. How far did the lens move each of them?",
         ),
         Misconception(
             wrong.radius_in_pixels,
@@ -36,6 +49,7 @@ INITIAL_DISTORTION = Exercise(
         Misconception(
             wrong.normalised_on_one_side,
             "On one side of your equations are pixels. In which unit is the other side?",
+            also=[wrong.normalised_on_the_other_side],
         ),
         Misconception(
             wrong.equations_of_u_only,
@@ -76,6 +90,7 @@ REPROJECTION_RESIDUALS = Exercise(
         Misconception(
             wrong.radius_not_squared,
             "Which power of the distance does k1 belong to, and which one k2?",
+            also=[wrong.square_for_fourth_power, wrong.sixth_power_for_fourth],
         ),
         Misconception(
             wrong.pixels_distorted,
@@ -84,6 +99,7 @@ REPROJECTION_RESIDUALS = Exercise(
         Misconception(
             wrong.distortion_backwards,
             "You take distortion off. Do you start from the ideal point, or from the observed one?",
+            also=[wrong.divided_by_distortion],
         ),
         Misconception(
             wrong.rotation_transposed,
@@ -103,6 +119,23 @@ REPROJECTION_RESIDUALS = Exercise(
             wrong.principal_point_left_out,
             "All your residuals are off by hundreds of pixels. Where does the axis meet the "
             "picture?",
+        ),
+        Misconception(
+            wrong.not_divided_by_depth,
+            "A board twice as far away looks half as large. Where does yours get smaller?",
+        ),
+        Misconception(
+            wrong.fx_for_v,
+            "Right for u. Which focal length belongs to v?",
+        ),
+        Misconception(
+            wrong.projected_only,
+            "These are pixels of the picture. By how much do they miss the observed ones?",
+        ),
+        Misconception(
+            wrong.sign_lost,
+            "A residual can point to the left or to the right. Where has its sign gone?",
+            also=[wrong.squared_already],
         ),
         Misconception(
             wrong.lengths_of_residuals,
@@ -142,6 +175,14 @@ RMS_ERROR = Exercise(
             "Two residuals that point in opposite directions: do they cancel out in yours?",
         ),
         Misconception(
+            wrong.deviation_from_the_mean,
+            "`std` measures from the mean. Should a shift of all residuals together not count?",
+        ),
+        Misconception(
+            wrong.divided_outside_of_the_root,
+            "The mean is taken of squares. Do you divide before the root, or after it?",
+        ),
+        Misconception(
             wrong.not_divided,
             "With twice as many points, does your error grow? Where is the mean?",
         ),
@@ -173,6 +214,10 @@ REFINE_CALIBRATION = Exercise(
         Misconception(
             wrong.ones_on_the_diagonal,
             "A focal length and a k1 differ by thousands. Is the damping the same for both?",
+        ),
+        Misconception(
+            wrong.row_added_to_the_matrix,
+            "`np.diag` of a matrix is a row of numbers. What does adding it to a matrix do?",
         ),
         Misconception(
             wrong.all_entries_damped,

@@ -32,6 +32,26 @@ def powers_of_r(ideal, observed, K):
     return solved(design(ideal, K, 1, 2), observed - ideal)
 
 
+def powers_squared(ideal, observed, K):
+    return solved(design(ideal, K, 4, 8), observed - ideal)
+
+
+def powers_two_and_three(ideal, observed, K):
+    return solved(design(ideal, K, 2, 3), observed - ideal)
+
+
+def k2_before_k1(ideal, observed, K):
+    return solved(design(ideal, K, 4, 2), observed - ideal)
+
+
+def fx_for_both(ideal, observed, K):
+    return solved(design(ideal, K, focal=K[0, 0]), observed - ideal)
+
+
+def observed_for_moved(ideal, observed, K):
+    return solved(design(ideal, K), observed)
+
+
 def radius_in_pixels(ideal, observed, K):
     return solved(design(ideal, K, focal=1.0), observed - ideal)
 
@@ -43,6 +63,10 @@ def not_from_the_principal_point(ideal, observed, K):
 def normalised_on_one_side(ideal, observed, K):
     A = design(ideal, K) / np.array([K[0, 0], K[1, 1]])[:, None]
     return solved(A, observed - ideal)
+
+
+def normalised_on_the_other_side(ideal, observed, K):
+    return solved(design(ideal, K), (observed - ideal) / np.array([K[0, 0], K[1, 1]]))
 
 
 def equations_of_u_only(ideal, observed, K):
@@ -88,6 +112,46 @@ def radius_not_squared(points, pixels, K, R, t, k):
     x = X[:, :2] / X[:, 2:]
     r = np.hypot(*x.T)[:, None]
     return x * (1 + k[0] * r + k[1] * r**2) @ K[:2, :2].T + K[:2, 2] - pixels
+
+
+def square_for_fourth_power(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, t, [k[0] + k[1], 0]) - pixels
+
+
+def sixth_power_for_fourth(points, pixels, K, R, t, k):
+    X = points @ R.T + t
+    x = X[:, :2] / X[:, 2:]
+    r2 = (x**2).sum(axis=1, keepdims=True)
+    return x * (1 + k[0] * r2 + k[1] * r2**3) @ K[:2, :2].T + K[:2, 2] - pixels
+
+
+def divided_by_distortion(points, pixels, K, R, t, k):
+    X = points @ R.T + t
+    x = X[:, :2] / X[:, 2:]
+    r2 = (x**2).sum(axis=1, keepdims=True)
+    return x / (1 + k[0] * r2 + k[1] * r2**2) @ K[:2, :2].T + K[:2, 2] - pixels
+
+
+def not_divided_by_depth(points, pixels, K, R, t, k):
+    X = points @ R.T + t
+    return bent(X[:, :2], k) @ K[:2, :2].T + K[:2, 2] - pixels
+
+
+def fx_for_v(points, pixels, K, R, t, k):
+    X = points @ R.T + t
+    return bent(X[:, :2] / X[:, 2:], k) * K[0, 0] + K[:2, 2] - pixels
+
+
+def projected_only(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, t, k)
+
+
+def sign_lost(points, pixels, K, R, t, k):
+    return np.abs(pixels_of(points, K, R, t, k) - pixels)
+
+
+def squared_already(points, pixels, K, R, t, k):
+    return (pixels_of(points, K, R, t, k) - pixels) ** 2
 
 
 def pixels_distorted(points, pixels, K, R, t, k):
@@ -146,6 +210,14 @@ def length_of_the_mean(residuals):
     return np.hypot(*residuals.mean(axis=0))
 
 
+def deviation_from_the_mean(residuals):
+    return residuals.std()
+
+
+def divided_outside_of_the_root(residuals):
+    return np.sqrt((residuals**2).sum()) / len(residuals)
+
+
 def not_divided(residuals):
     return np.sqrt((residuals**2).sum())
 
@@ -177,6 +249,10 @@ def ones_on_the_diagonal(parameters, residuals, J, damping):
     return parameters + step_with(J, residuals, damping * np.eye(len(parameters)))
 
 
+def row_added_to_the_matrix(parameters, residuals, J, damping):
+    return parameters + step_with(J, residuals, damping * np.diag(J.T @ J))
+
+
 def all_entries_damped(parameters, residuals, J, damping):
     return parameters + step_with(J, residuals, damping * J.T @ J)
 
@@ -188,78 +264,3 @@ def downhill_only(parameters, residuals, J, damping):
 def diagonal_only(parameters, residuals, J, damping):
     N = np.diag(np.diag(J.T @ J))
     return parameters + np.linalg.solve((1 + damping) * N, -J.T @ residuals)
-
-
-# --- reject_views -----------------------------------------------------------------------------
-
-
-def view_rms(residuals: Any) -> Any:
-    return np.sqrt((residuals**2).sum(axis=2).mean(axis=1))
-
-
-def those_to_reject(residuals, limit):
-    rms = view_rms(residuals)
-    return rms > limit * np.median(rms)
-
-
-def mean_for_median(residuals, limit):
-    rms = view_rms(residuals)
-    return rms <= limit * rms.mean()
-
-
-def mean_and_deviation(residuals, limit):
-    rms = view_rms(residuals)
-    return rms <= rms.mean() + limit * rms.std()
-
-
-def limit_in_pixels(residuals, limit):
-    return view_rms(residuals) <= limit
-
-
-def compared_with_the_best(residuals, limit):
-    rms = view_rms(residuals)
-    return rms <= limit * rms.min()
-
-
-def above_the_median(residuals, limit):
-    rms = view_rms(residuals)
-    return rms <= np.median(rms)
-
-
-# --- parameter_covariance ---------------------------------------------------------------------
-
-
-def variance_with(J: Any, residuals: Any, freedom: Any) -> Any:
-    return residuals @ residuals / freedom * np.linalg.inv(J.T @ J)
-
-
-def divided_by_all(J, residuals):
-    return variance_with(J, residuals, len(residuals))
-
-
-def divided_by_points(J, residuals):
-    return variance_with(J, residuals, len(residuals) / 2)
-
-
-def residuals_left_out(J, residuals):
-    return np.linalg.inv(J.T @ J)
-
-
-def deviation_for_variance(J, residuals):
-    m, n = J.shape
-    return np.sqrt(residuals @ residuals / (m - n)) * np.linalg.inv(J.T @ J)
-
-
-def not_inverted(J, residuals):
-    m, n = J.shape
-    return residuals @ residuals / (m - n) * (J.T @ J)
-
-
-def roots_of_the_diagonal(J, residuals):
-    m, n = J.shape
-    return np.sqrt(np.diag(variance_with(J, residuals, m - n)))
-
-
-def diagonal_inverted_only(J, residuals):
-    m, n = J.shape
-    return residuals @ residuals / (m - n) * np.diag(1 / np.diag(J.T @ J))

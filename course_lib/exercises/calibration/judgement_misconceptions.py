@@ -1,0 +1,94 @@
+"""Wrong answers to the exercises of chapter 07 on views to reject and on the covariance."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+# --- reject_views -----------------------------------------------------------------------------
+
+
+def view_rms(residuals: Any) -> Any:
+    return np.sqrt((residuals**2).sum(axis=2).mean(axis=1))
+
+
+def those_to_reject(residuals, limit):
+    rms = view_rms(residuals)
+    return rms > limit * np.median(rms)
+
+
+def mean_for_median(residuals, limit):
+    rms = view_rms(residuals)
+    return rms <= limit * rms.mean()
+
+
+def mean_and_deviation(residuals, limit):
+    rms = view_rms(residuals)
+    return rms <= rms.mean() + limit * rms.std()
+
+
+def limit_in_pixels(residuals, limit):
+    return view_rms(residuals) <= limit
+
+
+def compared_with_the_best(residuals, limit):
+    rms = view_rms(residuals)
+    return rms <= limit * rms.min()
+
+
+def above_the_median(residuals, limit):
+    rms = view_rms(residuals)
+    return rms <= np.median(rms)
+
+
+# --- parameter_covariance ---------------------------------------------------------------------
+
+
+def variance_with(J: Any, residuals: Any, freedom: Any) -> Any:
+    return residuals @ residuals / freedom * np.linalg.inv(J.T @ J)
+
+
+def divided_by_all(J, residuals):
+    return variance_with(J, residuals, len(residuals))
+
+
+def divided_by_all_but_one(J, residuals):
+    return variance_with(J, residuals, len(residuals) - 1)
+
+
+def variance_of_numpy(J, residuals):
+    return residuals.var() * np.linalg.inv(J.T @ J)
+
+
+def not_squared(J, residuals):
+    m, n = J.shape
+    return residuals.sum() / (m - n) * np.linalg.inv(J.T @ J)
+
+
+def divided_by_points(J, residuals):
+    return variance_with(J, residuals, len(residuals) / 2)
+
+
+def residuals_left_out(J, residuals):
+    return np.linalg.inv(J.T @ J)
+
+
+def deviation_for_variance(J, residuals):
+    m, n = J.shape
+    return np.sqrt(residuals @ residuals / (m - n)) * np.linalg.inv(J.T @ J)
+
+
+def not_inverted(J, residuals):
+    m, n = J.shape
+    return residuals @ residuals / (m - n) * (J.T @ J)
+
+
+def roots_of_the_diagonal(J, residuals):
+    m, n = J.shape
+    return np.sqrt(np.diag(variance_with(J, residuals, m - n)))
+
+
+def diagonal_inverted_only(J, residuals):
+    m, n = J.shape
+    return residuals @ residuals / (m - n) * np.diag(1 / np.diag(J.T @ J))
