@@ -78,8 +78,8 @@ DECOMPOSE_PROJECTION = Exercise(
     resection.decompose_projection,
     points=8,
     parts={
-        "a matrix as it was put together": Part(inputs.as_it_was_put_together, cases=2, weight=3),
-        "a multiple of it": Part(inputs.any_multiple, cases=2, weight=3),
+        "a matrix as it was put together": Part(inputs.as_it_was_put_together, cases=1, weight=3),
+        "a multiple of it": Part(inputs.any_multiple, cases=1, weight=3),
         "a negative multiple": Part(inputs.negative_multiple, cases=2, weight=2),
     },
     misconceptions=[

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from course_lib.homography import normalise_points
+from course_lib.exercises.estimation.misconceptions_points import normalised
 
 # --- camera_dlt -------------------------------------------------------------------------------
 
@@ -20,8 +20,8 @@ def _design(points: Any, pixels: Any, sign: int = -1) -> Any:
 
 
 def _between(points: Any, pixels: Any, pick: Any = None, sign: int = -1) -> Any:
-    p, T_points = normalise_points(points)
-    q, T_pixels = normalise_points(pixels)
+    p, T_points = normalised(points)
+    q, T_pixels = normalised(pixels)
     A = _design(p, q, sign)
     P = pick(A) if pick else np.linalg.svd(A)[2][-1].reshape(3, 4)
     return T_pixels, P, T_points
@@ -89,8 +89,8 @@ def exchanged_in_the_rows(points, pixels):
 
 def _between_as(points: Any, pixels: Any, columns: Any) -> Any:
     """Write the rows with these columns of the normalised pixels."""
-    p, T_points = normalise_points(points)
-    q, T_pixels = normalise_points(pixels)
+    p, T_points = normalised(points)
+    q, T_pixels = normalised(pixels)
     return T_pixels, np.linalg.svd(_design(p, q[:, columns]))[2][-1].reshape(3, 4), T_points
 
 

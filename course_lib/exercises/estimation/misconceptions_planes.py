@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from course_lib.homography import normalise_points
+from course_lib.exercises.estimation.misconceptions_points import normalised
 
 # --- homography_dlt ---------------------------------------------------------------------------
 
@@ -32,23 +32,21 @@ def numbers_as_they_come(points, targets):
 
 
 def only_the_targets_normalised(points, targets):
-    q, T = normalise_points(targets)
+    q, T = normalised(targets)
     return _scaled(np.linalg.inv(T) @ _vectors(points, q)[-1].reshape(3, 3))
 
 
 def only_the_points_normalised(points, targets):
-    p, T = normalise_points(points)
+    p, T = normalised(points)
     return _scaled(_vectors(p, targets)[-1].reshape(3, 3) @ T)
 
 
 def still_normalised(points, targets):
-    return _scaled(
-        _vectors(normalise_points(points)[0], normalise_points(targets)[0])[-1].reshape(3, 3)
-    )
+    return _scaled(_vectors(normalised(points)[0], normalised(targets)[0])[-1].reshape(3, 3))
 
 
 def _between(points: Any, targets: Any) -> Any:
-    (p, T_points), (q, T_targets) = normalise_points(points), normalise_points(targets)
+    (p, T_points), (q, T_targets) = normalised(points), normalised(targets)
     return T_points, _vectors(p, q)[-1].reshape(3, 3), T_targets
 
 
@@ -112,7 +110,7 @@ def transposed_for_inverted(points, targets):
 
 
 def _solved_by(pick: Any, points: Any, targets: Any) -> Any:
-    (p, T_points), (q, T_targets) = normalise_points(points), normalise_points(targets)
+    (p, T_points), (q, T_targets) = normalised(points), normalised(targets)
     return _scaled(np.linalg.inv(T_targets) @ pick(_design(p, q)).reshape(3, 3) @ T_points)
 
 
@@ -152,7 +150,7 @@ def read_column_by_column(points, targets):
 
 
 def wrong_sign_in_the_rows(points, targets):
-    (p, T_points), (q, T_targets) = normalise_points(points), normalise_points(targets)
+    (p, T_points), (q, T_targets) = normalised(points), normalised(targets)
     H = np.linalg.svd(_design(p, q, sign=1))[2][-1].reshape(3, 3)
     return _scaled(np.linalg.inv(T_targets) @ H @ T_points)
 

@@ -90,6 +90,12 @@ def _mean_distance(points: Any, centre: Any) -> Any:
     return np.linalg.norm(points - centre, axis=1).mean()
 
 
+def normalised(points: Any) -> Any:
+    """Normalise as it should be, without checks, for other wrong answers."""
+    centre = points.mean(axis=0)
+    return _similarity(points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre)
+
+
 def distance_of_one(points):
     centre = points.mean(axis=0)
     return _similarity(points, 1 / _mean_distance(points, centre), centre)
@@ -128,8 +134,8 @@ def mean_of_all_numbers(points):
 
 
 def root_two_and_T_of_the_plane(points):
-    normalised, T = root_two_of(points)
-    return normalised, T if len(T) == 3 else np.delete(np.delete(T, 2, axis=0), 2, axis=1)
+    there, T = root_two_of(points)
+    return there, T if len(T) == 3 else np.delete(np.delete(T, 2, axis=0), 2, axis=1)
 
 
 def root_two_of(points: Any) -> Any:
@@ -168,46 +174,34 @@ def scaled_the_other_way(points):
 
 
 def shift_not_scaled_in_T(points):
-    centre = points.mean(axis=0)
-    normalised, T = _similarity(
-        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
-    )
-    T[:-1, -1] = -centre
-    return normalised, T
+    there, T = normalised(points)
+    T[:-1, -1] = -points.mean(axis=0)
+    return there, T
 
 
 def shift_to_the_wrong_side_in_T(points):
-    centre = points.mean(axis=0)
-    normalised, T = _similarity(
-        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
-    )
+    there, T = normalised(points)
     T[:-1, -1] *= -1
-    return normalised, T
+    return there, T
 
 
 def T_transposed(points):
-    centre = points.mean(axis=0)
-    normalised, T = _similarity(
-        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
-    )
-    return normalised, T.T
+    there, T = normalised(points)
+    return there, T.T
 
 
 def corner_of_T_scaled(points):
-    centre = points.mean(axis=0)
-    normalised, T = _similarity(
-        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
-    )
+    there, T = normalised(points)
     T[-1, -1] = T[0, 0]
-    return normalised, T
+    return there, T
 
 
 def shift_divided_in_T(points):
     centre = points.mean(axis=0)
     scale = np.sqrt(points.shape[1]) / _mean_distance(points, centre)
-    normalised, T = _similarity(points, scale, centre)
+    there, T = _similarity(points, scale, centre)
     T[:-1, -1] = -centre / scale
-    return normalised, T
+    return there, T
 
 
 def scaled_before_the_shift(points):
@@ -223,11 +217,8 @@ def median_for_the_middle(points):
 
 
 def T_of_the_way_back(points):
-    centre = points.mean(axis=0)
-    normalised, T = _similarity(
-        points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre
-    )
-    return normalised, np.linalg.inv(T)
+    there, T = normalised(points)
+    return there, np.linalg.inv(T)
 
 
 def one_mean_for_all_axes(points):
