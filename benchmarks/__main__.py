@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from functools import partial
 
-from benchmarks import calibration, commands, compute, estimate, latency, lens
+from benchmarks import calibration, commands, compute, corners, estimate, latency, lens
 from benchmarks.table import RESULTS, Row, write_section
 
 #: Every entry is a function that returns rows. Add yours here.
@@ -18,6 +18,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "defocusing": compute.defocusing,
     "calibrating": calibration.calibrating,
     "distorting": lens.distorting,
+    "refining": corners.refining,
     "estimating": estimate.estimating,
     "starting": commands.starting,
     "building": commands.building,

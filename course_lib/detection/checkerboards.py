@@ -79,8 +79,9 @@ def find_corners(grey: Picture, board: Checkerboard) -> Array | None:
     for picture, ratio in smaller_pictures(grey):
         corners = _opencv(picture, board)
         if corners is not None:
-            # To a few px of a large picture, where windows cover little of a square.
-            corners = in_full_size(refine_corners(picture, corners), ratio)
+            if ratio.max() > 1:
+                # To a few px of a large picture, where windows cover little of a square.
+                corners = in_full_size(refine_corners(picture, corners), ratio)
             return corners.reshape(board.rows, board.columns, 2)
     return None
 
