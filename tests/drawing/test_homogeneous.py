@@ -20,6 +20,7 @@ SECOND = Camera(draw.K, *PLAN, draw.SIZE)
 PAIRS = np.array([[3, 2], [1.5, 1], [-1, 0.5], [1, 0.25], [2, 0], [-3, -0.5]])
 ANGLES = np.radians([60, 120, 180])
 TURNS = [transforms.rotation_about_axis(draw.HINGES, angle) for angle in ANGLES]
+CASES = [(pan, -0.25, np.array([4.2, 12, 5]), np.array([0, -0.2, 0.4])) for pan in (1.0, 0.5)]
 
 FIGURES = {
     "clockwise": draw.clockwise,
@@ -35,7 +36,7 @@ FIGURES = {
     "points_on_rays": lambda: draw.points_on_rays(PAIRS),
     "split_by_axis": draw.split_by_axis,
     "street_map": lambda: draw.street_map(draw.cameras(), point=draw.CORNER),
-    "sweep": lambda: draw.sweep([PLAN, None], (0, 30)),
+    "sweep": lambda: draw.sweep([PLAN, None], CASES),
     "taken_from": lambda: draw.taken_from(PLAN, "plan"),
     "two_conventions": draw.two_conventions,
     "what_survives": draw.what_survives,
@@ -112,6 +113,8 @@ def test_both_orders_end_where_the_text_says():
     ends = [[tuple(np.round(line.get_xydata()[0], 2)) for line in ax.lines] for ax in (left, right)]
     assert ends[0][-1] == (2.0, 0.0)
     assert ends[1][-1] == (1.0, 1.73)
+    for ax, foot in ((left, "(2, 0)"), (right, "(1, 1.73)")):
+        assert foot in [text.get_text() for text in ax.texts]
 
 
 def test_one_matrix_turns_up_on_one_page_and_down_on_the_other():
@@ -197,10 +200,23 @@ def test_stars_beside_the_map_are_counted():
     ],
 )
 def test_a_pose_without_a_picture_of_houses_says_why(pose, words):
-    for drawn in (draw.taken_from(pose), draw.imports([pose], [""]), draw.sweep([pose], [0])):
+    for drawn in (draw.taken_from(pose), draw.imports([pose], [""]), draw.sweep([pose], CASES[:1])):
         said = [text.get_text() for text in drawn.axes[0].texts]
         assert len(said) == (words is not None)
         assert not words or said[0].startswith(words)
+
+
+def test_stars_of_a_sweep_lie_in_the_circles_only_if_the_pose_is_right():
+    def apart(pose):
+        (ax,) = draw.sweep([pose], CASES[:1]).axes
+        circles, stars = (line.get_xydata() for line in ax.lines)
+        seen = np.isfinite(circles + stars).all(axis=1)
+        assert seen.sum() >= 3
+        return np.linalg.norm(circles - stars, axis=1)[seen].max()
+
+    R, t = transforms.gimbal_pose(*CASES[0])
+    assert apart((R, t)) < 1e-9
+    assert apart((R, t + np.array([0.5, 0, 0]))) > 15  # px
 
 
 def test_the_wire_is_the_students():
@@ -219,6 +235,22 @@ def test_columns_are_drawn_at_the_vanishing_points():
     np.testing.assert_allclose([found["camera"][1], found["image"][1]], far, atol=0.01)
     for line in found.values():
         np.testing.assert_allclose(line[0], camera.project((0, 0, 0)))
+
+
+@pytest.mark.parametrize(
+    ("t", "words"),
+    [
+        (None, ["$p_3$: Z at infinity,\nat (360, 1067)"]),
+        ((0, 0, 0), ["not on this page", "$p_4$: origin, nowhere (w is 0)"]),
+        ((0, 9, 5), ["not on this page", "$p_4$: origin, at (360, 960)"]),
+    ],
+)
+def test_columns_beside_the_page_are_named(t, words):
+    camera = draw.corner_camera()
+    P = camera.K @ np.column_stack([camera.R, camera.t if t is None else t])
+    said = "\n".join(text.get_text() for text in draw.columns_of(P, camera).axes[0].texts)
+    for word in words:
+        assert word in said
 
 
 def test_the_ray_is_seen_by_the_second_camera():

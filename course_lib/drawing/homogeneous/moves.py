@@ -62,8 +62,7 @@ def order_matters(angle_deg: float = 60.0, way: float = 2.0) -> Figure:
     titles = (r"$T\,R$: turn, then move", r"$R\,T$: move, then turn")
     for ax, steps, title in zip(axes, ((R, T @ R), (T, R @ T)), titles, strict=True):
         sketch(ax, title)
-        ax.axhline(0, color=GREY, lw=0.8)
-        ax.axvline(0, color=GREY, lw=0.8)
+        _ruled_axes(ax, 3, 2)
         for H, role, alpha in zip(
             (np.eye(3), *steps), ("guide", "camera", "object"), (0.25, 0.25, 0.7), strict=True
         ):
@@ -71,8 +70,22 @@ def order_matters(angle_deg: float = 60.0, way: float = 2.0) -> Figure:
             ax.fill(*corners.T, color=ROLES[role], alpha=alpha, lw=0)
             stroke(ax, corners[:2], role, lw=3)
             ax.plot(*corners[0], "o", color=ROLES[role], ms=6)
-        fit(ax, -1.3, way + 1.1, -0.5, way + 0.8)
+        foot = "({:.3g}, {:.3g})".format(*corners[0] + 0.0)
+        write(ax, corners[0] + np.array([0.12, 0.12]), foot, "object", ha="left", va="bottom")
+        fit(ax, -1.3, way + 1.4, -0.5, way + 0.8)
     return fig
+
+
+def _ruled_axes(ax: Axes, right: int, top: int) -> None:
+    """Draw the two axes of a plane with a tick and a number at each unit."""
+    ax.axhline(0, color=GREY, lw=0.8)
+    ax.axvline(0, color=GREY, lw=0.8)
+    for k in range(1, right + 1):
+        stroke(ax, np.array([(k, -0.06), (k, 0.06)]), lw=0.8)
+        write(ax, (k, -0.24), f"{k}", "guide", fontsize=9)
+    for k in range(1, top + 1):
+        stroke(ax, np.array([(-0.06, k), (0.06, k)]), lw=0.8)
+        write(ax, (-0.2, k), f"{k}", "guide", fontsize=9)
 
 
 @figure(

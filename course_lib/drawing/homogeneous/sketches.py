@@ -119,17 +119,17 @@ def looking_at() -> Figure:
     """
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.5))
     sketch(ax)
-    view = onlooker((3.0, -5.4, 3.4), (0.6, 0.6, 0.7), 1000)
+    view = onlooker((3.0, -5.4, 3.4), (0.6, 0.6, 3.4), 1000)  # level: upright lines stay upright
     target = np.array([1.9, 2.2, 0.2])
     camera = onlooker((-0.5, -0.3, 1.2), target, 700)
     show_path(ax, view, np.array([camera.centre, target]), "guide", lw=1.2, ls=(0, (5, 3)))
     show_arrow(ax, view, camera.centre, camera.centre + np.array([0, 0, 0.8]), "image")
     write(ax, view.project(camera.centre + np.array([0, 0, 0.9])), "up", "image")
     show_axes(ax, view, camera.centre, 0.8 * camera.R, "xyz", "camera")
-    for point, name in ((target, "target"), (camera.centre, "eye")):
+    for point, name in ((target, "target"), (camera.centre, "camera")):
         ax.plot(*view.project(point), "o", color=BLACK, ms=8)
         write(ax, view.project(point) + np.array([-12.0, 14]), name, ha="right")
-    ax.set(xlim=(60, 600), ylim=(400, 10))
+    ax.set(xlim=(0, 640), ylim=(790, 430))
     return fig
 
 
@@ -162,8 +162,10 @@ def gimbal(pan_deg: float = 25.0, tilt_deg: float = 15.0) -> Figure:
     K = np.array([[700.0, 0, 319.5], [0, 700, 239.5], [0, 0, 1]])
     camera = Camera(K, R, t, (640, 480))
     show_path(ax, view, np.array([mount, camera.centre]), "object", lw=2.5)
-    middle = view.project((mount + camera.centre) / 2)
-    write(ax, middle - np.array([12.0, -4]), "offset", "object", ha="right")
+    low = view.project(mount + 0.25 * (camera.centre - mount))
+    write(ax, low - np.array([14.0, 0]), "offset", "object", ha="right")
+    left = min((view.project(-R.T @ t) for R, t in place), key=lambda pixel: float(pixel[0]))
+    write(ax, left - np.array([10.0, 0]), "way of the hole\nin a pan", ha="right")
     show_frustum(ax, view, camera, depth=0.7, name="")
     show_axes(ax, view, camera.centre, 0.45 * R, "xyz", "camera")
     ax.set(xlim=(80, 600), ylim=(440, 30))

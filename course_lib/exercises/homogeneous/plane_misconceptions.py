@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 # --- to_homogeneous ---------------------------------------------------------------------------
@@ -77,15 +79,19 @@ def w_ignored(p, q):
     return np.cross(first, second)
 
 
-def slope_and_intercept(p, q):
+def _slope_and_height(p: Any, q: Any) -> Any:
     (x1, y1), (x2, y2) = ((v[..., 0] / v[..., 2], v[..., 1] / v[..., 2]) for v in (p, q))
     slope = (y2 - y1) / (x2 - x1)
-    return np.stack([slope, -np.ones_like(slope), y1 - slope * x1], axis=-1)
+    return slope, y1 - slope * x1
+
+
+def slope_and_intercept(p, q):
+    slope, height = _slope_and_height(p, q)
+    return np.stack([slope, -np.ones_like(slope), height], axis=-1)
 
 
 def slope_and_height_alone(p, q):
-    line = slope_and_intercept(p, q)
-    return line[..., [0, 2]]
+    return np.stack(_slope_and_height(p, q), axis=-1)
 
 
 def direction_for_normal(p, q):
