@@ -14,11 +14,11 @@ from numpy.typing import ArrayLike, NDArray
 from course_lib.calibration_degeneracy import DISORDER, disorder
 from course_lib.calibration_derivatives import residuals
 from course_lib.calibration_model import CameraModel, State
-from course_lib.calibration_refinement import minimised
+from course_lib.calibration_refinement import Normals, minimised
 from course_lib.calibration_result import Calibration, calibration_from_state
 from course_lib.calibration_start import minimum, view_homographies
-from course_lib.calibration_views import LEAST_POINTS, Views, gather_views
-from course_lib.checks import Array, check_size
+from course_lib.calibration_views import LEAST_POINTS, Views, each_view, gather_views
+from course_lib.checks import Array, DegenerateConfigurationError, check_size
 
 Kept = NDArray[np.bool_]
 Counts = NDArray[np.intp]
@@ -50,7 +50,8 @@ class RobustCalibration:
     kept_points : tuple of ndarray of bool, shape (N,)
         For each of all views, which points were used.
     reasons : tuple of str
-        A sentence for everything that was left out.
+        A sentence for every view of which something was left out; it begins with "view" and the
+        number.
     """
 
     calibration: Calibration
@@ -91,38 +92,68 @@ def calibrate_robustly(
     adjustment: a modern synthesis" (2000), section 3.2.
     """
     model = CameraModel() if model is None else model
-    size, views = check_size(image_size, "image_size"), gather_views(object_points, image_points)
+    size, reasons = check_size(image_size, "image_size"), dict[int, str]()
+    each = each_view(object_points, image_points)
+    numbers = _usable(object_points, image_points, reasons)
+    views = gather_views([each[i][0] for i in numbers], [each[i][1] for i in numbers])
     points = np.arange(views.pixels.shape[2]) < views.counts[:, None]
-    reasons: dict[int, str] = {}
-    kept = _in_order(views, reasons)
-    state = _settled(minimum(views.only(kept), size, model)[0], views.only(kept))
-    for _ in range(ROUNDS):
-        used, numbers = views.only(kept), np.flatnonzero(kept)
-        good, scales = _good_points(state, used, points[kept])
-        stay = _good_views(scales, good, used.counts, numbers, reasons)
-        settled = stay.all() and (good == points[kept]).all()
-        points[kept], kept[numbers] = good, stay
-        used = views.only(kept).weighted(points[kept].astype(float))
-        moved = State(model, state.camera, state.R[stay], state.t[stay])
-        state, normals = minimised(moved, used)
-        if settled:
-            break
+    kept = _in_order(views, numbers, reasons)
+    state, _ = minimum(views.only(kept), size, model)
+    state, used, normals = _agreed(
+        _settled(state, views.only(kept)), views, points, kept, reasons, numbers
+    )
     calibration = calibration_from_state(state, normals, used, size)
-    _tell_points(calibration, points, kept, reasons)
-    kept_points = tuple(p[:n] & k for p, n, k in zip(points, views.counts, kept, strict=True))
+    _tell_points(calibration, points[kept], numbers[kept], reasons)
+    kept_views = np.zeros(len(each), dtype=bool)
+    kept_views[numbers[kept]] = True
+    kept_points = [np.zeros(len(np.asarray(view)), dtype=np.bool_) for _, view in each]
+    for i in np.flatnonzero(kept):
+        kept_points[numbers[i]] = points[i, : views.counts[i]]
     told = tuple(reasons[view] for view in sorted(reasons))
-    return RobustCalibration(calibration, kept, kept_points, told)
+    return RobustCalibration(calibration, kept_views, tuple(kept_points), told)
 
 
-def _in_order(views: Views, reasons: dict[int, str]) -> Kept:
+def _usable(object_points: object, image_points: object, reasons: dict[int, str]) -> Counts:
+    """Return the numbers of the views that have a homography: not too few points, not on a line."""
+    try:
+        return np.arange(len(view_homographies(gather_views(object_points, image_points))))
+    except DegenerateConfigurationError:
+        each = each_view(object_points, image_points)
+    for i, (board, pixels) in enumerate(each):
+        try:
+            view_homographies(gather_views([board], [pixels]))
+        except DegenerateConfigurationError as error:
+            reasons[i] = f"view {i} was left out: {str(error).replace('view 0', 'it')}"
+    return np.array([i for i in range(len(each)) if i not in reasons], dtype=np.intp)
+
+
+def _in_order(views: Views, numbers: Counts, reasons: dict[int, str]) -> Kept:
     """Return which views are pictures of the board at all."""
     apart = disorder(views, view_homographies(views))
-    for view in np.flatnonzero(apart > DISORDER):
+    for view in numbers[apart > DISORDER]:
         reasons[int(view)] = (
             f"view {view} was left out: its pixels are no picture of this board; are columns and "
             "rows swapped, or the corners in another order?"
         )
     return np.asarray(apart <= DISORDER)
+
+
+def _agreed(
+    state: State, views: Views, points: Kept, kept: Kept, reasons: dict[int, str], numbers: Counts
+) -> tuple[State, Views, Normals]:
+    """Return the minimum of what fits together; strike the rest from `points` and `kept`."""
+    for _ in range(ROUNDS):
+        used, here = views.only(kept), np.flatnonzero(kept)
+        good, scales = _good_points(state, used, points[kept])
+        stay = _good_views(scales, good, used.counts, numbers[here], reasons)
+        settled = stay.all() and (good == points[kept]).all()
+        points[kept], kept[here] = good, stay
+        used = views.only(kept).weighted(points[kept].astype(float))
+        moved = State(state.model, state.camera, state.R[stay], state.t[stay])
+        state, normals = minimised(moved, used)
+        if settled:
+            break
+    return state, used, normals
 
 
 def _settled(state: State, views: Views) -> State:
@@ -166,11 +197,11 @@ def _good_views(
 
 
 def _tell_points(
-    calibration: Calibration, points: Kept, kept: Kept, reasons: dict[int, str]
+    calibration: Calibration, points: Kept, numbers: Counts, reasons: dict[int, str]
 ) -> None:
     """Say how far off the points are that were left out of views that were kept."""
-    for view, left in zip(np.flatnonzero(kept), calibration.residuals, strict=True):
-        lengths = np.linalg.norm(left[~points[view, : len(left)]], axis=1)
+    for view, good, left in zip(numbers, points, calibration.residuals, strict=True):
+        lengths = np.linalg.norm(left[~good[: len(left)]], axis=1)
         if len(lengths):
             reasons[int(view)] = (
                 f"view {view}: {len(lengths)} of {len(left)} points left out, up to "

@@ -156,6 +156,15 @@ def gather_views(object_points: object, image_points: object) -> Views:
     return Views(_stacked(boards), _stacked(pixels), weights, counts)
 
 
+def each_view(object_points: object, image_points: object) -> list[tuple[ArrayLike, ArrayLike]]:
+    """Return the board and the pixels of each view, unchecked, from arguments of `calibrate`."""
+    pixels = _listed(image_points, "image_points")
+    boards = _listed(object_points, "object_points")
+    if boards and np.ndim(boards[0]) == 1:
+        boards = [np.asarray(object_points)] * len(pixels)
+    return list(zip(boards, pixels, strict=False))
+
+
 def _boards(object_points: object, count: int) -> list[Array]:
     """Return the board once, or the board of each view if they differ."""
     listed = _listed(object_points, "object_points")
@@ -211,6 +220,11 @@ def _check_counts(board: Array, pixels: Array, i: int) -> None:
 
 def _check_board(points: ArrayLike, name: str) -> Array:
     board = check_points(_without_middle(points), 3, f"the points of {name}")
+    if board.ndim != 2 or len(board) < LEAST_POINTS:
+        raise DegenerateConfigurationError(
+            f"{name} has {len(np.atleast_2d(board))} points, and the pose of a board needs "
+            f"{LEAST_POINTS}: leave such views out"
+        )
     centred = board - board.mean(axis=0)
     sizes = np.linalg.svd(centred, compute_uv=False)
     if sizes[0] == 0:

@@ -353,7 +353,7 @@ class TestNotDetermined:
         four = [0, 7, 40, 47]
         with pytest.raises(DegenerateConfigurationError, match="16 equations, but there are 21"):
             calibrate(BOARD[four], [p[four] for p in pixels[:2]], SIZE)
-        with pytest.raises(DegenerateConfigurationError, match="view 0 has 3 points"):
+        with pytest.raises(DegenerateConfigurationError, match="the board has 3 points"):
             calibrate(BOARD[[0, 1, 8]], [p[[0, 1, 8]] for p in pixels], SIZE)
 
     def test_board_of_another_size(self):

@@ -188,6 +188,33 @@ class TestRobust:
         assert [len(points) for points in found.kept_points] == list(range(48, 38, -1))
         assert np.flatnonzero(~np.concatenate(found.kept_points)) == 48 + 47 + 46 + 45 + 7
 
+    def test_views_of_too_few_points(self):
+        """As a board with numbered corners gives them, of which a part was seen."""
+        seen = observe()
+        good = calibrate(BOARD, seen.pixels, SIZE)
+        boards, pixels = [BOARD] * 10, list(seen.pixels)
+        for view, some in ((1, slice(0, 3)), (4, slice(0, 8)), (6, slice(0, 0))):
+            boards[view], pixels[view] = BOARD[some], pixels[view][some]
+        found = calibrate_robustly(boards, pixels, SIZE)
+        np.testing.assert_array_equal(np.flatnonzero(~found.kept_views), [1, 4, 6])
+        begins = [reason.partition(":")[0] for reason in found.reasons]
+        assert begins == [f"view {n} was left out" for n in (1, 4, 6)]
+        assert "lie on one line" in found.reasons[1]
+        assert [len(points) for points in found.kept_points] == [
+            48,
+            3,
+            48,
+            48,
+            8,
+            48,
+            0,
+            48,
+            48,
+            48,
+        ]
+        assert len(found.calibration.poses) == 7
+        assert np.abs(found.calibration.K - good.K).max() < 3 * good.sigma["fx"]
+
     def test_nothing_fits(self):
         rng = np.random.default_rng(0)
         noise = [rng.uniform((0, 0), SIZE, (48, 2)) for _ in range(5)]
