@@ -110,10 +110,7 @@ def fit_homographies(points: ArrayLike, targets: ArrayLike) -> Array:
     p, T_points = _normalised(points, "points")
     q, T_targets = _normalised(targets, "targets")
     monomials = _monomials(p)
-    sizes, vectors = np.linalg.eigh(_design_squared(monomials, q[..., :2, :]))
-    H = vectors[..., 0].reshape(-1, 3, 3)
-    if (sizes[:, 1] <= AMBIGUOUS * sizes[:, -1]).any():
-        raise DegenerateConfigurationError(TOO_FEW)
+    H = _start(_design_squared(monomials, q[..., :2, :]))
     H = _refined(H, p, q, monomials)
     check_plane_kept(H)
     return with_usual_scale(np.linalg.inv(T_targets) @ H @ T_points)
@@ -170,6 +167,21 @@ def with_usual_scale(H: Array) -> Array:
     return np.asarray(H / np.where(np.abs(corner) > 1e-12, corner, 1))
 
 
+def _start(N: Array) -> Array:
+    """Return homographies of length 1 that nearly make the DLT's error smallest, (B, 3, 3).
+
+    The error is a quadratic form of the rows of H. For a given last row the first two follow, and
+    an eigenvector of 3 × 3 numbers is left for the last row.
+    """
+    first, across, last = N[:, :6, :6], N[:, :6, 6:], N[:, 6:, 6:]
+    rows = -np.linalg.solve(first, across)  # the first two rows from the last one
+    sizes, vectors = np.linalg.eigh(last + across.swapaxes(1, 2) @ rows)
+    if (sizes[:, 1] <= AMBIGUOUS * last.trace(axis1=1, axis2=2)).any():
+        raise DegenerateConfigurationError(TOO_FEW)
+    h = np.concatenate([rows @ vectors[..., :1], vectors[..., :1]], axis=1)
+    return np.asarray(h / np.linalg.norm(h, axis=1, keepdims=True)).reshape(-1, 3, 3)
+
+
 class _Linear(NamedTuple):
     """Distances of images from targets near some homographies: their squares, and the slopes."""
 
@@ -205,7 +217,7 @@ def _step(H: Array, linear: _Linear, damping: Array) -> tuple[Array, Array]:
     h = H.reshape(-1, 9, 1)
     # Along h itself only the scale changes: h hᵀ makes the rank full.
     N = linear.normal + h @ h.swapaxes(1, 2)
-    N[:, range(9), range(9)] *= 1 + damping[:, None]
+    N.reshape(-1, 81)[:, ::10] *= 1 + damping[:, None]  # the diagonals
     try:
         step = np.linalg.solve(N, linear.gradient[..., None])[..., 0]
     except np.linalg.LinAlgError as error:
