@@ -191,7 +191,6 @@ class TestRobust:
     def test_views_of_too_few_points(self):
         """As a board with numbered corners gives them, of which a part was seen."""
         seen = observe()
-        good = calibrate(BOARD, seen.pixels, SIZE)
         boards, pixels = [BOARD] * 10, list(seen.pixels)
         for view, some in ((1, slice(0, 3)), (4, slice(0, 8)), (6, slice(0, 0))):
             boards[view], pixels[view] = BOARD[some], pixels[view][some]
@@ -213,7 +212,8 @@ class TestRobust:
             48,
         ]
         assert len(found.calibration.poses) == 7
-        assert np.abs(found.calibration.K - good.K).max() < 3 * good.sigma["fx"]
+        others = [view for i, view in enumerate(seen.pixels) if i not in (1, 4, 6)]
+        np.testing.assert_allclose(found.calibration.K, calibrate(BOARD, others, SIZE).K, rtol=1e-6)
 
     def test_nothing_fits(self):
         rng = np.random.default_rng(0)
