@@ -101,15 +101,18 @@ def _calibrate(options: argparse.Namespace) -> int:
 
 def _check_enough(photos: Sequence[Photo]) -> None:
     """Raise unless the board was found in three photographs."""
+    from course_lib.calibrating.judgement import KINDS
+
     used = [photo for photo in photos if photo.used]
     kinds = Counter(photo.problem for photo in photos if not photo.used)
     if len(used) >= 3 and kinds["wrong size"] <= len(used):
         return
-    told = ", ".join(f"{count} {kind}" for kind, count in kinds.most_common())
+    told = ", ".join(f"{count} {KINDS.get(kind, kind)}" for kind, count in kinds.most_common())
     hint = _hint(photos)
+    of_others = f" Of the others: {told}." if told else ""
     raise ValueError(
         f"the board was found in {len(used)} of {len(photos)} photographs; 3 are needed, 10 to 30 "
-        f"are good. Of the others: {told}.{hint}"
+        f"are good.{of_others}{hint}"
     )
 
 

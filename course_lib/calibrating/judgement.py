@@ -165,6 +165,16 @@ def _on_views(solved: Solved, retake: tuple[str, ...]) -> Iterator[Statement]:
         )
 
 
+#: Why photographs are set aside, as an adjective.
+KINDS = {
+    "file": "unreadable",
+    "size": "of another size",
+    "duplicate": "double",
+    "no board": "without board",
+    "wrong size": "with another board",
+    "glare": "with reflections",
+    "covered": "partly hidden",
+}
 PLACES = {
     (0, 0): "upper left corner",
     (0, 2): "upper right corner",
@@ -265,8 +275,8 @@ def _on_files(solved: Solved) -> Iterator[Statement]:
     aside = [p for p in solved.photos if not p.used and p.problem != "does not fit"]
     if aside:
         kinds = Counter(p.problem for p in aside)
-        told = ", ".join(f"{count} {kind}" for kind, count in kinds.most_common())
-        yield Statement("note", f"{len(aside)} photographs were set aside: {told}.")
+        told = ", ".join(f"{count} {KINDS.get(kind, kind)}" for kind, count in kinds.most_common())
+        yield Statement("note", f"{len(aside)} photographs were set aside: {told}; see each.")
     focal = sorted({round(p.header.focal, 1) for p in solved.views if p.header and p.header.focal})
     if len(focal) > 1:
         yield Statement(

@@ -6,7 +6,12 @@ from html import escape
 from pathlib import Path
 
 from course_lib.calibrating.judgement import Judgement
-from course_lib.calibrating.report_pictures import coverage_svg, photo_svg, residuals_svg
+from course_lib.calibrating.report_pictures import (
+    coverage_svg,
+    magnification,
+    photo_svg,
+    residuals_svg,
+)
 from course_lib.calibrating.solving import Solved
 from course_lib.calibration import Calibration
 from course_lib.calibration_files import FORMS, StoredCamera, write_camera
@@ -133,7 +138,7 @@ def _numbers(calibration: Calibration) -> str:
 
 def _photographs(solved: Solved, judgement: Judgement) -> str:
     """Return a card for each photograph, those that were used first."""
-    place = {photo.path: i for i, photo in enumerate(solved.views)}
+    place, scale = {photo.path: i for i, photo in enumerate(solved.views)}, magnification(solved)
     cards = []
     for photo in sorted(solved.photos, key=lambda p: p.path not in place):
         i = place.get(photo.path)
@@ -144,13 +149,17 @@ def _photographs(solved: Solved, judgement: Judgement) -> str:
             told = f"{judgement.view_rms[i]:.2f} px. {photo.verdict}"
             kind = "retake" if photo.name in judgement.retake else "used"
             picture = photo_svg(
-                photo, solved.pixels[i], solved.calibration.residuals[i], solved.kept[i]
+                photo, solved.pixels[i], solved.calibration.residuals[i], solved.kept[i], scale
             )
         cards.append(
             f"<figure class='{kind}'>{picture}<figcaption><b>{escape(photo.name)}</b> "
             f"{escape(told)}</figcaption></figure>"
         )
-    return "<div class='cards'>" + "\n".join(cards) + "</div>"
+    legend = (
+        f"<p>Circles: points that were found. Orange lines: to where the camera expects them, "
+        f"{scale:g} times as long. Orange circles: left out.</p>"
+    )
+    return legend + "<div class='cards'>" + "\n".join(cards) + "</div>"
 
 
 def _files(files: list[Path], notes: list[str]) -> str:

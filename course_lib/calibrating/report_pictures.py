@@ -22,23 +22,24 @@ def photo_svg(
     pixels: Array | None = None,
     residuals: Array | None = None,
     kept: NDArray[np.bool_] | None = None,
+    scale: float = 1.0,
 ) -> str:
-    """Return a photograph with its points, and arrows to where the camera expects them."""
+    """Return a photograph with its points, and arrows to where the camera expects them, scaled."""
     if photo.thumbnail is None or photo.header is None:
         return "<div class='blank'>no picture</div>"
     width, height = photo.header.size
     marks = []
     if pixels is None and photo.detection is not None:
         pixels = photo.detection.points
-    radius = 0.006 * width
+    radius = 0.011 * width
     for i, (u, v) in enumerate(pixels if pixels is not None else ()):
         colour = ORANGE if kept is not None and not kept[i] else BLUE
         marks.append(
             f"<circle cx='{u:.1f}' cy='{v:.1f}' r='{radius:.1f}' fill='none' stroke='{colour}' "
-            f"stroke-width='{radius / 3:.2f}'/>"
+            f"stroke-width='{radius / 2.5:.2f}'/>"
         )
     if pixels is not None and residuals is not None:
-        marks.append(_arrows(pixels, residuals, width, ORANGE))
+        marks.append(_arrows(pixels, scale * residuals, width, ORANGE))
     image = (
         f"<image href='{_png(photo.thumbnail)}' x='-0.5' y='-0.5' width='{width}' "
         f"height='{height}' preserveAspectRatio='none'/>"
@@ -81,16 +82,13 @@ def residuals_svg(solved: Solved) -> str:
     """Return the residuals of all views over the picture, magnified."""
     width, height = solved.calibration.image_size
     pixels = np.concatenate([p[k] for p, k in zip(solved.pixels, solved.kept, strict=True)])
-    residuals = np.concatenate(
-        [r[k] for r, k in zip(solved.calibration.residuals, solved.kept, strict=True)]
-    )
-    scale = _scale(residuals, width)
+    residuals, scale = kept_residuals(solved), magnification(solved)
     frame = (
         f"<rect x='-0.5' y='-0.5' width='{width}' height='{height}' fill='white' stroke='#999' "
         f"stroke-width='{width / 600:.2f}'/>"
     )
     said = f"residuals of all views, {scale:.0f} times as long"
-    drawn = _svg(width, height, frame + _arrows(pixels, residuals, width, BLUE), said)
+    drawn = _svg(width, height, frame + _arrows(pixels, scale * residuals, width, BLUE), said)
     return (
         f"<figure>{drawn}<figcaption>From each point to where the camera expects it, "
         f"{scale:.0f} times as long. Arrows that point all ways are chance; neighbours that agree "
@@ -98,17 +96,23 @@ def residuals_svg(solved: Solved) -> str:
     )
 
 
-def _scale(residuals: Array, width: int) -> float:
-    """Return by how much residuals are magnified: 1, 2 or 5 times a power of ten."""
-    usual = float(np.sqrt(np.mean((residuals**2).sum(axis=1))))
-    wanted = TYPICAL_ARROW * width / max(usual, 1e-9)
+def kept_residuals(solved: Solved) -> Array:
+    """Return the residuals of all points that were not rejected, shape (N, 2), px."""
+    views = zip(solved.calibration.residuals, solved.kept, strict=True)
+    return np.concatenate([residuals[kept] for residuals, kept in views])
+
+
+def magnification(solved: Solved) -> float:
+    """Return by how much residuals are drawn longer: 1, 2 or 5 times a power of ten."""
+    usual = float(np.sqrt(np.mean((kept_residuals(solved) ** 2).sum(axis=1))))
+    wanted = TYPICAL_ARROW * solved.calibration.image_size[0] / max(usual, 1e-9)
     power = 10 ** np.floor(np.log10(wanted))
     return float(max(step * power for step in (1, 2, 5) if step * power <= wanted))
 
 
-def _arrows(pixels: Array, residuals: Array, width: int, colour: str) -> str:
-    """Return lines from points along their residuals."""
-    ends = pixels + _scale(residuals, width) * residuals
+def _arrows(pixels: Array, steps: Array, width: int, colour: str) -> str:
+    """Return lines from points along steps."""
+    ends = pixels + steps
     lines = "".join(
         f"M{u:.1f} {v:.1f}L{x:.1f} {y:.1f}" for (u, v), (x, y) in zip(pixels, ends, strict=True)
     )

@@ -59,7 +59,7 @@ class TestStatements:
         assert levels(judgement, "photographs were used") == ["note"]
         assert levels(judgement, "The board is tilted") == ["good"]
         assert levels(judgement, "What that means") in (["good"], ["note"])
-        assert levels(judgement, "10 photographs were set aside: 4 file") == ["note"]
+        assert levels(judgement, "10 photographs were set aside: 4 unreadable") == ["note"]
 
     def test_bad_things_come_first(self, run):
         order = {"bad": 0, "note": 1, "good": 2}
