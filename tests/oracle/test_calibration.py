@@ -95,8 +95,9 @@ class TestSameMinimum:
         found = cv2.calibrateCameraExtended(*arrays, SIZE, None, None, criteria=ENDLESS)
         told = found[5].ravel()[:9]  # fx fy cx cy k1 k2 p1 p2 k3
         ours = calibrate(BOARD, opencv_set["left"], SIZE)
-        # OpenCV divides by the number of equations, less fewer unknowns.
-        np.testing.assert_allclose(list(ours.sigma.values()), told, rtol=0.05)
+        np.testing.assert_allclose(list(ours.sigma.values()), told, rtol=1e-5)
+        shifts = found[6].reshape(13, 6)[:, 3:]
+        np.testing.assert_allclose(ours.pose_sigma[:, 3:], shifts, rtol=1e-5)
 
     def test_stereo(self, opencv_set):
         ours = calibrate_stereo(BOARD, opencv_set["left"], opencv_set["right"], SIZE)
