@@ -15,6 +15,7 @@ from course_lib.drawing.calibration.photographs import (
     contact_sheet,
     detected_corners,
     left_photographs,
+    opencv_corners,
     zhang_data,
 )
 from course_lib.drawing.calibration.residuals import (
@@ -23,25 +24,46 @@ from course_lib.drawing.calibration.residuals import (
     views_one_by_one,
 )
 from course_lib.drawing.calibration.space import board_poses, vanishing_columns
-from course_lib.drawing.calibration.targets import flatness, targets
+from course_lib.drawing.calibration.stepping import (
+    closed_form,
+    in_turns,
+    packed,
+    residuals_and_derivatives,
+    unpacked,
+    without_lens,
+)
+from course_lib.drawing.calibration.targets import flatness, targets, tilted_views, with_dots
+from course_lib.drawing.calibration.using import focus_changes, ray_uncertainty, set_of_rays
 
 __all__ = [
     "BOARD",
     "SIZE",
     "board_poses",
+    "closed_form",
     "computed_photographs",
     "contact_sheet",
     "coverage_map",
     "detected_corners",
     "flatness",
+    "focus_changes",
     "held_out_models",
+    "in_turns",
     "left_photographs",
+    "opencv_corners",
     "over_the_picture",
+    "packed",
+    "ray_uncertainty",
     "residual_arrows",
+    "residuals_and_derivatives",
+    "set_of_rays",
     "steps_down",
     "targets",
+    "tilted_views",
+    "unpacked",
     "vanishing_columns",
     "views_grow",
     "views_one_by_one",
+    "with_dots",
+    "without_lens",
     "zhang_data",
 ]

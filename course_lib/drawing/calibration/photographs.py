@@ -197,9 +197,11 @@ def _show_order(ax: Axes, corners: Floats) -> None:
     paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8}
     for number in (0, COLUMNS - 1, COLUMNS, len(corners) - 1):
         if number < len(corners):
-            at = corners[number] + (0, -15)
+            u, v = corners[number]
+            side = -1 if number % COLUMNS == 0 else 1
             ax.text(
-                *at,
+                u + 22 * side,
+                v,
                 str(number),
                 color=ROLES["object"],
                 ha="center",
@@ -207,3 +209,35 @@ def _show_order(ax: Axes, corners: Floats) -> None:
                 fontsize=9,
                 bbox=paper,
             )
+
+
+def opencv_corners(photographs: Sequence[Grey], reach: int) -> list[Floats]:
+    """Return the corners that OpenCV's sub-pixel search finds with a window of some size.
+
+    Parameters
+    ----------
+    photographs : sequence of ndarray
+        Pictures of the board `BOARD`, all of it in each.
+    reach : int
+        How far a window reaches to each side of a corner, px.
+
+    Returns
+    -------
+    list of ndarray, shape (54, 2)
+        Pixels.
+
+    Raises
+    ------
+    ValueError
+        If OpenCV does not see the board in one of them.
+    """
+    import cv2
+
+    stop, views = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_COUNT, 50, 1e-4), []
+    for number, photograph in enumerate(photographs):
+        seen, rough = cv2.findChessboardCorners(photograph, (COLUMNS, ROWS))
+        if not seen:
+            raise ValueError(f"OpenCV sees no board with {BOARD.name} in view {number}")
+        fine = cv2.cornerSubPix(photograph, rough, (reach, reach), (-1, -1), stop)
+        views.append(np.asarray(fine, dtype=float).reshape(-1, 2))
+    return views

@@ -53,25 +53,25 @@ def board_poses(K: ArrayLike, poses: Sequence[Pose | None]) -> Figure:
     ax.axis("off")
     # The onlooker's world has z up: turn the camera's frame over.
     up = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
-    view = onlooker((1100, -350, 480), (20, 210, 0), 640)
+    view = onlooker((1000, -420, 480), (10, 230, -5), 900)
     camera = Camera(np.asarray(K, float), up.T, np.zeros(3), SIZE)
     show_frustum(ax, view, camera, 90.0, name="")
     show_axes(ax, view, np.zeros(3), 110 * up.T, "xyz", "camera", "camera")
     if any(pose is None for pose in poses):
         write(ax, (330, 200), "no answer yet", "guide", fontsize=14)
-    order = sorted((p for p in enumerate(poses) if p[1] is not None), key=_farthest)
-    for number, (R, t) in order:
+    order = sorted(((n, *pose) for n, pose in enumerate(poses) if pose is not None), key=_farthest)
+    for number, R, t in order:
         corners = (board_outline() @ np.asarray(R).T + np.asarray(t)) @ up.T
         if np.isfinite(corners).all():
             show_face(ax, view, corners, "object", alpha=0.12)
             write(ax, view.project(corners[0]), str(number), fontsize=9)
-    ax.set(xlim=(-20, 660), ylim=(440, 30))
+    ax.set(xlim=(0, 640), ylim=(450, 20))
     return fig
 
 
-def _farthest(numbered: tuple[int, Any]) -> float:
+def _farthest(numbered: tuple[int, Any, Any]) -> float:
     """Return minus how far to the left a board is, which the onlooker sees from the right."""
-    return float(np.asarray(numbered[1][1])[0])
+    return float(np.asarray(numbered[2])[0])
 
 
 @figure("The rows of a board meet in one point, its columns in another: columns of H.")
@@ -107,7 +107,7 @@ def vanishing_columns(photograph: NDArray[np.uint8], H: ArrayLike) -> Figure:
         ax.plot(*meet, "o", color=ROLES[role], ms=8)
         sign = 1 if meet[0] > SIZE[0] / 2 else -1
         name = f"$\\mathbf{{h}}_{column + 1}$: ({meet[0]:.0f}, {meet[1]:.0f}) px"
-        below = meet[1] < SIZE[1] / 2
+        below = sign > 0
         ax.annotate(
             name,
             meet,

@@ -6,8 +6,9 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
-from course_lib.boards import Charuco, Checkerboard, DotGrid
+from course_lib.boards import Board, Charuco, Checkerboard, DotGrid
 from course_lib.calibration import Calibration, calibrate
 from course_lib.camera import camera_matrix, project
 from course_lib.circles import circle_bias
@@ -40,7 +41,7 @@ def targets() -> Figure:
     """
     fig, axes = panels(1, 3, (FULL_WIDTH, 2.5))
     square = 32
-    boards = {
+    boards: dict[str, tuple[NDArray[np.uint8], Board, float]] = {
         "checkerboard": (checkerboard(6, 5, square), Checkerboard(5, 4, square), 1.5),
         "dot grid": (dot_grid(5, 4, square, 0.6), DotGrid(5, 4, square, 0.6 * square), 0.5),
         "ChArUco": (charuco(Charuco(5, 4, 1, 0.73), square), Charuco(5, 4, square, 1), 1.5),
@@ -121,6 +122,31 @@ def bad_boards() -> dict[str, tuple[Floats, Calibration]]:
         "1 % too large": flat * 1.01,
     }
     return {name: (points, with_bad_board(points)) for name, points in boards.items()}
+
+
+def tilted_views(tilt: float) -> Calibration:
+    """Return the calibration from thirteen views of a board that is tilted little or much.
+
+    Parameters
+    ----------
+    tilt : float
+        Standard deviation of the board's turns about the camera's x and y, rad.
+
+    Returns
+    -------
+    Calibration
+        Of the camera `K`; corners are found to `NOISE`.
+
+    Raises
+    ------
+    DegenerateConfigurationError
+        If the tilts are too small.
+    """
+    rng = np.random.default_rng(3)
+    seen = observe_board(
+        rng, BOARD.points(), K, LENS, SIZE, views=13, noise=NOISE, tilt=float(tilt)
+    )
+    return calibrate(BOARD.points(), seen.pixels, SIZE)
 
 
 @figure("A bent board, one too long and one too large, and how far fx, fy and distances are off.")
