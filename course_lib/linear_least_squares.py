@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.checks import Array, DegenerateConfigurationError, check_numbers
+from course_lib.checks import SMALLEST, Array, DegenerateConfigurationError, check_numbers
 
 #: A column this near to a combination of the others, by its length, counts as one.
 DEPENDENT = 1e-12
@@ -132,7 +132,7 @@ def solve_svd(A: ArrayLike, b: ArrayLike, smallest: float = DEPENDENT) -> Array:
     """
     A, b = _check_system(A, b, least=0)
     U, s, Vt = np.linalg.svd(A, full_matrices=False)
-    told = s > smallest * s[0]
+    told = s > max(smallest * s[0], SMALLEST)
     return np.asarray((Vt[told].T / s[told]) @ (U[:, told].T @ b))
 
 

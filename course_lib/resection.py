@@ -205,6 +205,7 @@ def fit_camera(points: ArrayLike, pixels: ArrayLike) -> CameraFit:
     )
 
 
+@np.errstate(divide="ignore", invalid="ignore", over="ignore")  # a point may have no image
 def _reprojection(P: Array, X: Array, pixels: Array) -> tuple[Array, Array]:
     """Return residuals and their derivatives; a last row keeps the length of P at 1."""
     u, v, w = (X @ P.T).T
