@@ -51,7 +51,14 @@ def test_a_lamp_behind_the_camera_is_nowhere():
     frame = WHOLE(**state(pan=180))
     assert value(frame, "Lamp in the picture").value == "nowhere: it is behind the camera"
     assert not frame.pictures[0].lines
-    assert "nowhere" in frame.pictures[0].alt
+    assert frame.pictures[0].alt.endswith("The lamp is nowhere: it is behind the camera.")
+
+
+def test_no_number_of_the_camera_is_minus_zero():
+    frame = WHOLE(**state(x=-0.0, y=-0.04, pan=180))
+    assert "from (0.0, 0.0, 1.6) m" in frame.pictures[0].alt
+    assert "at (0.0, 0.0, 1.6) m" in frame.pictures[1].alt
+    assert "-0," not in value(frame, "Lamp times P").value
 
 
 @pytest.mark.parametrize(
@@ -143,6 +150,14 @@ def test_the_ray_goes_through_the_meeting_point_on_the_sheet():
     centres = [np.asarray(mark.points).mean(axis=0) for mark in marks]
     expected = join_meet._seen(np.array([x, y, 1.0]))
     assert min(np.linalg.norm(c - expected) for c in centres) < 1e-9
+
+
+def test_both_lines_are_named_in_both_pictures_and_in_words():
+    frame = MEET(0.3, 0.7, -0.4, -0.7)
+    plane, space = ({label.text: label.role for label in p.labels} for p in frame.pictures)
+    assert (plane["line l"], plane["line m"]) == (space["l"], space["m"]) == ("camera", "image")
+    assert value(frame, "Line l").value == "(0.3, -1, 0.7)"
+    assert "Line m: (-0.4, -1, -0.7)" in frame.in_words()
 
 
 def test_lines_cross_on_the_sphere_where_the_ray_does():

@@ -20,7 +20,9 @@ SCALE = 36.0  # px a unit
 ORIGIN = (np.array(PLANE_SIZE) - 1) / 2
 SHEET = np.array([[-2.4, -1.8], [2.4, -1.8], [2.4, 1.8], [-2.4, 1.8]])  # drawn of the plane w = 1
 NUMBER = 49  # points of a circle
+NAME_OF_ORIGIN = np.array([-52.0, 50.0])  # px: a thin line leads to it, clear of the sphere
 RADIUS = 0.85  # of the sphere: any does, as only directions count
+REACH_OF_RAY = 2.6  # how far the ray of the meeting point is drawn, in radii
 WORLD_FROM_HOMOGENEOUS = np.array([[0.0, 0, 1], [-1, 0, 0], [0, 1, 0]])  # w forward, y up
 
 
@@ -44,8 +46,8 @@ def join_meet_frame(p: float, q: float, r: float, s: float) -> Frame:
     point = np.zeros(3) if same else meet(lines[0], lines[1]) + 0.0
     words = _words(point)
     readouts = (
-        Readout("Line", "l", _vector(lines[0])),
-        Readout("Line", "m", _vector(lines[1])),
+        Readout("Line l", "", _vector(lines[0])),
+        Readout("Line m", "", _vector(lines[1])),
         Readout("They meet in", "l × m", _vector(point)),
         Readout("In the plane", "(x, y)", words),
     )
@@ -166,7 +168,18 @@ def _space(lines: Floats, point: Floats, words: str) -> Picture:
         f"circle on a sphere. Planes and circles share the ray of the meeting point: {words}.",
         SPACE_SIZE,
         lines=(*_still_life(), *strokes, *_ray(point)),
-        labels=_names(),
+        labels=(*_names(), *_letters(lines)),
+    )
+
+
+def _letters(lines: Floats) -> tuple[Label, ...]:
+    """Return the names of the lines beside their right ends on the sheet."""
+    named = zip(lines, "lm", ("camera", "image"), strict=True)
+    ends = ((_on_sheet(line), name, role) for line, name, role in named)
+    return tuple(
+        Label(name, _pair(_seen(end[1]) + np.array([8.0, 0.0])), role)
+        for end, name, role in ends
+        if len(end)
     )
 
 
@@ -175,7 +188,9 @@ def _ray(point: Floats) -> tuple[Line, ...]:
     if not point.any():
         return ()
     d = RADIUS * point / np.linalg.norm(point)
-    strokes = [Line(_seen(np.array([-1.5 * d, 1.5 * d])), "object", 2.0, dashed=True)]
+    strokes = [
+        Line(_seen(np.array([-REACH_OF_RAY * d, REACH_OF_RAY * d])), "object", 2.5, dashed=True)
+    ]
     cuts = [d, -d]
     if point[2] and (np.abs(point[:2] / point[2]) <= SHEET[2]).all():
         cuts.append(point / point[2])
@@ -238,18 +253,19 @@ def _still_life() -> tuple[Line, ...]:
         Line(_seen(RADIUS * outline), "guide", 1.0, closed=True, fill=0.1),
         Line(_seen(equator), "second", 2.8),
         _mark(np.zeros(3)),
+        Line(_seen(np.zeros(3)) + np.array([[0.0, 0.0], NAME_OF_ORIGIN]), "ink", 0.8),
     )
 
 
 @cache
 def _names() -> tuple[Label, ...]:
-    top = _seen(np.array([-1.4, 1.8, 1.0])) + np.array([0.0, -8.0])
-    infinity = _seen(np.array([0.0, -RADIUS, 0.0])) + np.array([0.0, 22.0])
-    origin = _seen(np.zeros(3)) + np.array([6.0, 12.0])
+    top = _seen(np.array([-1.4, 1.8, 1.0])) + np.array([12.0, -12.0])
+    infinity = _seen(np.array([0.0, RADIUS, 0.0])) - np.array([28.0, 6.0])
+    origin = _seen(np.zeros(3)) + NAME_OF_ORIGIN + np.array([-4.0, 0.0])
     return (
         Label("plane w = 1", _pair(top), "guide", "middle"),
-        Label("origin", _pair(origin), "ink"),
-        Label("line at infinity", _pair(infinity), "second", "middle"),
+        Label("origin", _pair(origin), "ink", "end"),
+        Label("line at infinity", _pair(infinity), "second", "end"),
     )
 
 

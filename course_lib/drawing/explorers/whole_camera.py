@@ -97,7 +97,7 @@ def whole_camera_frame(**numbers: float) -> Frame:
         matrix("Camera matrix", "P = K [R | t]", P, (1, 1, 3)),
         matrix("Intrinsics", "K", camera.K, 1),
         matrix("Extrinsics", "[R | t]", np.column_stack([camera.R, camera.t]), 3),
-        Readout("Lamp times P", "(x, y, w)", "({:.0f}, {:.0f}, {:.2f})".format(*image)),
+        Readout("Lamp times P", "(x, y, w)", _numbers(image, (0, 0, 2))),
         Readout("Lamp in the picture", "(u, v)", words, "px" if pixel is not None else ""),
     )
     return Frame((_photograph(camera, pixel, words), _outside(camera)), readouts)
@@ -105,10 +105,10 @@ def whole_camera_frame(**numbers: float) -> Frame:
 
 def _photograph(camera: Camera, pixel: Floats | None, words: str) -> Picture:
     """Return what the camera sees, with the lamp in a ring."""
-    centre = "({:.1f}, {:.1f}, {:.1f}) m".format(*camera.centre)
+    where = words if pixel is None else f"at {words}"
     return Picture(
         "What the camera sees",
-        f"Photograph of a street from {centre}. The lamp is at {words}.",
+        f"Photograph of a street from {_numbers(camera.centre)} m. The lamp is {where}.",
         SIZE,
         renderer().picture(camera),
         lines=() if pixel is None else (_ring(pixel, 9.0),),
@@ -127,16 +127,21 @@ def _outside(camera: Camera) -> Picture:
         Label(name, _pair(tip + 0.35 * (tip - origin)), "second", "middle")
         for name, tip in zip("xyz", tips, strict=True)
     )
-    x, y, z = centre
     return Picture(
         "The camera from outside",
-        f"The street from above, with the camera at ({x:.1f}, {y:.1f}, {z:.1f}) m, its axes and "
-        f"what it sees.",
+        f"The street from above, with the camera at {_numbers(centre)} m, its axes and what it "
+        "sees.",
         VIEW_SIZE,
         picture,
         lines=(*frustum(camera, DEPTH, view), *axes, _ring(lamp, 6.0)),
         labels=(*names, *_near(lamp, "lamp", VIEW_SIZE)),
     )
+
+
+def _numbers(values: Floats, digits: tuple[int, int, int] = (1, 1, 1)) -> str:
+    """Return three numbers as text, never -0."""
+    pairs = zip(values.tolist(), digits, strict=True)
+    return "({})".format(", ".join(f"{round(x, d) + 0.0:.{d}f}" for x, d in pairs))
 
 
 def _ring(pixel: Floats, radius: float) -> Line:
