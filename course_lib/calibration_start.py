@@ -6,7 +6,7 @@ Use these functions through `course_lib.calibration`.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from course_lib.calibration_degeneracy import (
     check_enough,
@@ -43,8 +43,22 @@ def view_homographies(views: Views) -> Array:
         some = views.counts == count
         points = views.points[0] if len(views.points) == 1 else views.points[some]
         board = points[..., :2, :count].swapaxes(-1, -2)
-        Hs[some] = fit_homographies(board, views.pixels[some, :, :count].swapaxes(-1, -2))
+        pixels = views.pixels[some, :, :count].swapaxes(-1, -2)
+        try:
+            Hs[some] = fit_homographies(board, pixels)
+        except DegenerateConfigurationError as error:
+            _name_view(board, pixels, np.flatnonzero(some))
+            raise error
     return Hs
+
+
+def _name_view(board: Array, pixels: Array, numbers: NDArray[np.intp]) -> None:
+    """Raise for the first view that has no homography on its own."""
+    for i, view in enumerate(numbers):
+        try:
+            fit_homographies(board if board.ndim == 2 else board[i], pixels[i : i + 1])
+        except DegenerateConfigurationError as error:
+            raise DegenerateConfigurationError(f"view {view} has no homography: {error}") from error
 
 
 def starting_state(

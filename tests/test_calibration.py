@@ -382,6 +382,12 @@ class TestNotDetermined:
         with pytest.raises(DegenerateConfigurationError, match="pixels of view 3 are no picture"):
             calibrate(BOARD, pixels, SIZE)
 
+    def test_a_view_on_a_line_is_named(self):
+        pixels = observe().pixels
+        pixels[5] = pixels[5] * [1, 0]
+        with pytest.raises(DegenerateConfigurationError, match="view 5 has no homography"):
+            calibrate(BOARD, pixels, SIZE)
+
     def test_bad_numbers(self):
         pixels = observe().pixels
         pixels[2] = pixels[2].copy()
