@@ -5,9 +5,12 @@ from __future__ import annotations
 import copy
 import getpass
 import os
+import re
 import sys
 import textwrap
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from html import escape
 from typing import Any
 
@@ -58,6 +61,7 @@ def check(name: str, namespace: Mapping[str, Any] | None = None) -> float:
     if namespace is None:
         namespace = sys._getframe(1).f_globals
     verdict = verdict_of(exercise, namespace)
+    verdict = replace(verdict, notes=(*_older_than_seen(exercise, namespace), *verdict.notes))
     if _validating() and verdict.points < verdict.possible:
         print(_wrapped(to_text(verdict)), file=sys.stderr)
     else:
@@ -222,6 +226,27 @@ def _what_is_missing(name: str, found: Any) -> str:
     if found is None:
         return f"There is no function `{name}` yet. Run its cell, and mend an error in red first."
     return f"`{name}` is {describe(found)}, not a function. Keep the line that begins with `def`."
+
+
+def _older_than_seen(exercise: Exercise, namespace: Mapping[str, Any]) -> tuple[str, ...]:
+    """Say so if the newest text of a function never became one, so that an older one was judged.
+
+    Jupyter keeps the cells that were run as the list `In`, also those that Python could not read.
+    """
+    name = exercise.function_name
+    defines = re.compile(rf"^\s*def\s+{name}\b", re.MULTILINE)
+    cells = [cell for cell in namespace.get("In", ()) if defines.search(cell)]
+    if not cells or not callable(namespace.get(name)):
+        return ()
+    try:
+        with warnings.catch_warnings(action="ignore"):
+            compile(cells[-1], "cell", "exec")
+    except SyntaxError as error:
+        return (
+            f"When you ran the cell of `{name}` last, Python could not read it: {error.msg}, line "
+            f"{error.lineno} of the cell. So this is about the version that you ran before.",
+        )
+    return ()
 
 
 def _validating() -> bool:

@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from IPython.core.interactiveshell import InteractiveShell
+from traitlets.config import Config
 
 import course_lib
 from course_lib.camera import project_pinhole as course_project
@@ -196,3 +198,38 @@ def test_a_shown_solution_runs_in_a_notebook(name, capsys):
     exec(capsys.readouterr().out, cell)
     assert check(name, cell) > 0
     assert "not answered" not in capsys.readouterr().out
+
+
+@pytest.fixture
+def shell():
+    """Return what runs the cells of a notebook; it writes nothing to the disk."""
+    config = Config({"HistoryManager": {"enabled": False}})
+    shell = InteractiveShell(config=config)
+    shell.user_ns["check"] = check
+    return shell
+
+
+RIGHT = "%time\ndef image_centre(size):\n    return [(n - 1) / 2 for n in size]"
+
+
+@pytest.mark.parametrize(
+    ("cells", "line"),
+    [
+        ([RIGHT], None),
+        ([RIGHT, "1 +"], None),
+        ([RIGHT, RIGHT.replace(" in size]", "")], 3),
+        ([RIGHT, RIGHT.replace("(size)", " size)")], 2),
+        ([RIGHT, RIGHT.replace("    return", "return")], 3),
+        ([RIGHT, RIGHT.replace(" in size]", ""), RIGHT], None),
+    ],
+    ids=["right", "other cell", "bracket", "first line", "indentation", "mended"],
+)
+def test_check_says_when_it_judges_an_older_version(shell, cells, line, capsys):
+    for cell in cells:
+        shell.run_cell(cell, store_history=True)
+    capsys.readouterr()
+    result = shell.run_cell("check('welcome.image_centre')", store_history=True)
+    said = capsys.readouterr().out
+    assert result.result == 2
+    assert ("the version that you ran before" in said) == (line is not None)
+    assert line is None or f"line {line} of the cell" in said
