@@ -16,6 +16,7 @@ from course_lib.drawing.calibration.photographs import (
     detected_corners,
     left_photographs,
     opencv_corners,
+    slipped_search,
     zhang_data,
 )
 from course_lib.drawing.calibration.residuals import (
@@ -56,6 +57,7 @@ __all__ = [
     "residual_arrows",
     "residuals_and_derivatives",
     "set_of_rays",
+    "slipped_search",
     "steps_down",
     "targets",
     "tilted_views",

@@ -53,6 +53,7 @@ def steps_down(histories: Mapping[str, Sequence[float]]) -> Figure:
         ax.plot(range(len(rms)), rms, "o-", color=ROLES[role], label=name, ms=4)
     ax.set_yscale("log")
     ax.set(xlabel="step", ylabel="RMS (px)")
+    ax.set_xticks(range(max(len(rms) for rms in histories.values())))
     ax.set_yticks([0.1, 0.2, 0.5, 1, 2, 5])
     plain_numbers(ax)
     ax.legend()

@@ -241,3 +241,39 @@ def opencv_corners(photographs: Sequence[Grey], reach: int) -> list[Floats]:
         fine = cv2.cornerSubPix(photograph, rough, (reach, reach), (-1, -1), stop)
         views.append(np.asarray(fine, dtype=float).reshape(-1, 2))
     return views
+
+
+@figure("A corner beside the edge of the board: the window reaches the edge, and the search slips.")
+def slipped_search(
+    photograph: Grey, searched: ArrayLike, fitted: ArrayLike, number: int, reach: int
+) -> Figure:
+    """Show one corner that a search has lost, with its window.
+
+    Parameters
+    ----------
+    photograph : ndarray, shape (height, width)
+        The picture.
+    searched, fitted : array_like, shape (N, 2)
+        All corners as the search with the window found them, and as they are.
+    number : int
+        Which corner.
+    reach : int
+        How far the window reaches to each side, px.
+
+    Returns
+    -------
+    Figure
+        61 × 61 pixels around the corner.
+    """
+    (u, v), (x, y) = np.asarray(searched)[number], np.asarray(fitted)[number]
+    fig, ax = panels(1, 1, (FULL_WIDTH * 0.6, 4.0))
+    ax.imshow(photograph, vmin=0, vmax=255)
+    side = reach + 0.5
+    window = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]) * side + np.rint([u, v])
+    ax.plot(*window.T, color=ROLES["ray"], lw=2.5)
+    ax.plot(x, y, "+", color=ROLES["camera"], ms=20, mew=3)
+    ax.plot(u, v, "x", color=ROLES["object"], ms=16, mew=3)
+    ax.set(xlim=(x - 30.5, x + 30.5), ylim=(y + 30.5, y - 30.5), xlabel="u (px)", ylabel="v (px)")
+    away = np.hypot(u - x, v - y)
+    ax.set_title(f"corner {number}: the search (×) ends {away:.1f} px away (+)", fontsize=10.5)
+    return fig
