@@ -28,10 +28,8 @@ from course_lib.zhang import (
 
 #: Between these, times the size of the picture, lie the focal lengths of most cameras.
 LIKELY_FOCAL = (0.2, 20.0)
-#: With more points in a view than this, a part of them is enough for the first steps.
-ENOUGH_POINTS = 60
-#: So many of each view are enough for the closed form.
-FEW_POINTS = 40
+#: With twice as many points in a view, a part of them is enough for the first steps.
+ENOUGH_POINTS = 40
 #: With such a standard deviation of f, as a share of it, there may be another minimum.
 DOUBTFUL = 0.02
 
@@ -193,13 +191,13 @@ def minimum(
         If the measurements do not determine the camera.
     """
     check_enough(views, model, known=start is not None)
-    few, some = views.thinned(FEW_POINTS), views.thinned(ENOUGH_POINTS)
+    few = views.thinned(ENOUGH_POINTS)
     Hs = view_homographies(few)
     check_order(few, Hs)
     check_tilts(Hs, size, model)
     state = starting_state(few, Hs, size, model, start)
-    if some is not views:
-        state, _ = minimised(state, some, last_gain=1e-3)
+    if few is not views:
+        state, _ = minimised(state, few, last_gain=0.1)
     state, normals = minimised(state, views)
     if start is not None or vagueness(state, normals, views.observations) < DOUBTFUL:
         return state, normals
