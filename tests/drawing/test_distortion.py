@@ -29,8 +29,7 @@ def straightened():
 
 def ideal_rails():
     lines = rails.rail_points(rails.photograph())
-    measured = [distortion.normalised_from_pixels(line, rails.K) for line in lines]
-    return [distortion.undistort_points(line, LENS) for line in measured]
+    return [distortion.undistort_pixels(line, rails.K, LENS) for line in lines]
 
 
 def bent(yours=None):
@@ -39,11 +38,11 @@ def bent(yours=None):
 
 
 FIGURES = {
-    "angles": draw.angles,
     "barrel_and_pincushion": draw.barrel_and_pincushion,
     "before_and_after": lambda: draw.before_and_after(*straightened()),
     "before_and_after part": lambda: draw.before_and_after(*straightened(), part=(340, 639)),
     "bent_lines": lambda: bent(np.arange(15) / 9),
+    "doubled_corners": draw.doubled_corners,
     "displacement_fields": draw.displacement_fields,
     "fisheye_photograph": draw.fisheye_photograph,
     "fisheye_street": lambda: draw.fisheye_street(np.full((5, 2), 200.0)),
@@ -54,8 +53,8 @@ FIGURES = {
     "profiles": draw.profiles,
     "profiles yours": lambda: draw.profiles([(-0.31, 0), (-0.5, 0.1)], yours=[1.0, 1.1]),
     "rails": draw.rails,
-    "straightened_rails": lambda: draw.straightened_rails(ideal_rails()),
-    "straightened_rails none": lambda: draw.straightened_rails([None] * 3),
+    "straightened_rails": lambda: draw.straightened_rails(ideal_rails(), [0.02, 1.37, 0.02]),
+    "straightened_rails none": lambda: draw.straightened_rails([]),
     "where_it_acts": draw.where_it_acts,
 }
 
@@ -84,7 +83,8 @@ def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
     draw.moved_points(GRID, LENS, yours).canvas.draw()
     draw.before_and_after(picture, yours, lines).canvas.draw()
     draw.fisheye_street(yours).canvas.draw()
-    draw.straightened_rails([yours] * 3).canvas.draw()
+    draw.straightened_rails([yours] * 3, [yours] * 3).canvas.draw()
+    draw.straightened_rails(ideal_rails(), [yours] * 3).canvas.draw()
     draw.profiles([(-0.31, 0), (-0.5, 0.1)], yours=[yours, yours]).canvas.draw()
 
 
@@ -267,21 +267,17 @@ def test_without_a_network_the_computed_board_is_shown(monkeypatch):
 
 
 def test_no_board_is_said():
-    with pytest.raises(ValueError, match="no board with 9 by 6 inner corners"):
+    with pytest.raises(ValueError, match="No checkerboard was found"):
         boards.board_lines(np.full((480, 640), 128, np.uint8))
 
 
 def test_rails_deviate_as_their_points_say():
-    points = rails.rail_points(rails.photograph())
     _, right = draw.rails().axes
     (curve,) = coloured(right, "object")
     np.testing.assert_allclose(curve[[0, -1], 1], 0, atol=1e-9)
     assert curve[:, 1].max() == pytest.approx(9.7, abs=0.1)
     labels = [text.get_text() for text in right.get_legend().get_texts()]
-    assert labels == [
-        f"{name}: RMS {distortion.straightness(line):.2f} px"
-        for name, line in zip("ABC", points, strict=True)
-    ]
+    assert labels == ["A: middle 9.7 px", "B: middle 0.2 px", "C: middle −9.9 px"]
 
 
 def test_straightened_rails_show_the_bent_one():
@@ -295,6 +291,31 @@ def test_straightened_rails_show_the_bent_one():
     for line in (edges[0], edges[2]):  # the picture was straightened with the points
         u, v = np.rint(line.mean(axis=0)).astype(int)
         assert picture[v, u] > 150
+
+
+def test_without_rails_the_picture_is_as_photographed():
+    left, right = draw.straightened_rails([None] * 3).axes
+    np.testing.assert_array_equal(left.images[0].get_array(), rails.photograph())
+    assert right.get_legend() is None
+
+
+def test_a_students_straightness_is_in_the_legend():
+    _, right = draw.straightened_rails(ideal_rails(), [0.02, 1.369, 0.02]).axes
+    labels = [text.get_text() for text in right.get_legend().get_texts()]
+    assert labels == ["A: RMS 0.02 px", "B: RMS 1.37 px", "C: RMS 0.02 px"]
+
+
+def test_corners_beyond_the_fold_repeat_what_lies_inside():
+    shown = draw.doubled_corners().axes[1].images[0].get_array()
+    f, centre = 0.48 * 536, np.array([342, 236])
+    towards = np.array([-342, 200]) / np.hypot(342, 200)  # the keyboard
+    # r and its twin beyond the fold, at which r - 0.31 r³ is the same
+    r = np.linspace(0.72, 0.9, 40)
+    twin = [max(np.roots([-0.31, 0, 1, 0.31 * q**3 - q]).real) for q in r]
+    inside, beyond = (np.rint(f * np.outer(q, towards) + centre).astype(int) for q in (r, twin))
+    one, other = (shown[p[:, 1], p[:, 0]].astype(float) for p in (inside, beyond))
+    assert np.ptp(one) > 60
+    assert np.corrcoef(one, other)[0, 1] > 0.9
 
 
 def test_a_rail_without_numbers_is_left_out():

@@ -10,19 +10,30 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib import data
-from course_lib.distortion import straightness, undistort_pixels
-from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, plain_numbers
+from course_lib.detection import Checkerboard, detect_board
+from course_lib.distortion import (
+    distort_radial,
+    normalised_from_pixels,
+    pixel_grid,
+    pixels_from_normalised,
+    straightness,
+    undistort_pixels,
+)
+from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, plain_numbers, write
 from course_lib.drawing.distortion.pictures import looked_up, mesh_map
 from course_lib.drawing.style import FULL_WIDTH, ROLES
 from data_generators.rails import LENS, SIZE, K
 from data_generators.targets import checkerboard
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 #: Thirteen photographs of one board by one camera; its inner corners.
 PHOTOGRAPHS = tuple(f"opencv_stereo/left{n:02}.jpg" for n in (*range(1, 10), *range(11, 15)))
 COLUMNS, ROWS = 9, 6
+#: Lines that are numbered in the photograph, the first one 1: the ends of both families.
+NUMBERED = (1, 6, 7, 10, 15)
 #: The one that the chapter shows: its board comes close to the picture's edge.
 SHOWN = PHOTOGRAPHS[5]
 
@@ -96,14 +107,10 @@ def board_lines(picture: NDArray[np.uint8]) -> list[Floats]:
     ValueError
         If there is no such board in the picture.
     """
-    import cv2
-
-    found, rough = cv2.findChessboardCorners(picture, (COLUMNS, ROWS))
-    if not found:
-        raise ValueError(f"no board with {COLUMNS} by {ROWS} inner corners in this picture")
-    stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_COUNT, 40, 1e-3)
-    fine = cv2.cornerSubPix(picture, rough.astype(np.float32), (5, 5), (-1, -1), stop)
-    grid = np.asarray(fine, dtype=float).reshape(ROWS, COLUMNS, 2)
+    seen = detect_board(picture, Checkerboard(COLUMNS, ROWS, square=1.0))  # of any size
+    if not seen.found:
+        raise ValueError(seen.verdict)
+    grid = seen.points.reshape(ROWS, COLUMNS, 2)
     return [*grid, *grid.transpose(1, 0, 2)]
 
 
@@ -155,6 +162,8 @@ def bent_lines(
         left.plot(*line.T, color=ROLES["camera"], lw=0.8)
     left.plot(*points[worst][[0, -1]].T, color=ROLES["ray"], lw=1.6)
     left.plot(*points[worst].T, "o", color=ROLES["object"], ms=4)
+    for number in NUMBERED:
+        _numbered(left, points, number)
     picture_frame(left, (picture.shape[1], picture.shape[0]))
     count = np.arange(1, len(points) + 1)
     bars = right.bar(count, [straightness(line) for line in points], color=ROLES["camera"])
@@ -164,4 +173,48 @@ def bent_lines(
     right.set(xlabel="line (no unit)", ylabel="RMS from straight (px)")
     right.set_xticks(count[::2])
     plain_numbers(right)
+    return fig
+
+
+def _numbered(ax: Axes, lines: Sequence[Floats], number: int) -> None:
+    """Write the number of a line beyond one of its ends, on white."""
+    if number > len(lines):
+        return
+    line = lines[number - 1]
+    # Long lines are numbered behind the last point, short ones before the first.
+    end, next_one = (line[-1], line[-2]) if len(line) == COLUMNS else (line[0], line[1])
+    place = end + 26 * (end - next_one) / np.hypot(*(end - next_one))
+    paper = {"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.9}
+    write(ax, tuple(place), str(number), fontsize=9, bbox=paper)
+
+
+@figure(
+    "Left: a photograph of a board. Right: the same, straightened by a map that goes on beyond the "
+    "valid radius: in the four corners parts of the scene appear a second time, mirrored."
+)
+def doubled_corners(k1: float = LENS[0], wider: float = 0.48) -> Figure:
+    """Show what a map does to a photograph beyond the radius at which its model folds over.
+
+    Parameters
+    ----------
+    k1 : float
+        Radial coefficient of the map, no unit.
+    wider : float
+        Focal length of the new picture, as a share of the old one.
+
+    Returns
+    -------
+    Figure
+        The photograph, and what the map makes of it.
+    """
+    picture, _ = board_photograph()
+    ideal = normalised_from_pixels(pixel_grid(SIZE, *SIZE).reshape(-1, 2), K) / wider
+    there = pixels_from_normalised(distort_radial(ideal, [k1]), K)
+    places = np.asarray(there.reshape(*picture.shape, 2), np.float32)
+    fig, axes = panels(1, 2, (FULL_WIDTH, 3.2))
+    titles = ("Photograph", f"By a map with $k_1$ = {k1:g}, wider".replace("-", "−"))
+    for ax, shown, title in zip(axes, (picture, looked_up(picture, places)), titles, strict=True):
+        ax.imshow(shown, vmin=0, vmax=255)
+        picture_frame(ax, SIZE)
+        ax.set_title(title, fontsize=11)
     return fig

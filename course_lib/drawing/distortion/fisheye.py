@@ -1,4 +1,4 @@
-"""Still figures: a fisheye lens against a pinhole, and a street through both."""
+"""Still figures: a street through a pinhole and through a fisheye lens."""
 
 from __future__ import annotations
 
@@ -16,11 +16,10 @@ from course_lib.drawing.diagrams import (
     panels,
     picture_frame,
     same_shape,
-    write,
 )
 from course_lib.drawing.distortion.pictures import Picture, looked_up
 from course_lib.drawing.explorers.street import NORTH, renderer
-from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
+from course_lib.drawing.style import BLACK, FULL_WIDTH, ROLES
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -56,39 +55,6 @@ def things() -> Floats:
         x right, y down, z forward, m.
     """
     return np.asarray((THINGS - EYE) @ NORTH.T)
-
-
-@figure(
-    "Distance of an image from the centre against the angle of its ray: the pinhole's curve runs "
-    "to infinity at 90°, that of a fisheye lens is a straight line."
-)
-def angles(f: float = 1.0) -> Figure:
-    """Show how far from the centre a ray lands, through a pinhole and through fisheye lenses.
-
-    Parameters
-    ----------
-    f : float
-        Focal length, the unit of the distances.
-
-    Returns
-    -------
-    Figure
-        Three curves.
-    """
-    angle = np.radians(np.linspace(0, 110, 221))
-    fig, ax = panels(1, 1, (FULL_WIDTH, 3.5))
-    ahead = angle < np.pi / 2
-    ax.plot(np.degrees(angle[ahead]), f * np.tan(angle[ahead]), color=ROLES["object"])
-    ax.plot(np.degrees(angle), f * angle, "--", color=ROLES["camera"])
-    barrel = np.tan(angle[ahead]) * (1 - 0.2 * np.tan(angle[ahead]) ** 2)
-    ax.plot(np.degrees(angle[ahead]), f * barrel, "-.", color=ROLES["ray"])
-    ax.axvline(90, color=GREY, lw=1, ls=":")
-    write(ax, (60, 2.2), r"pinhole: $\tan\theta$", "object", ha="right")
-    write(ax, (99, 1.45), r"fisheye: $\theta$", "camera")
-    write(ax, (47, 0.28), "pinhole with $k_1$ = −0.2")
-    ax.set(xlabel="angle from the axis (°)", ylabel="distance in the image (focal lengths)")
-    ax.set(xlim=(0, 110), ylim=(0, 3))
-    return fig
 
 
 @figure(

@@ -117,7 +117,7 @@ def where_it_acts(
     picture_frame(axes[2], (640, 480))
     axes[2].set_title("3  Times K", fontsize=11)
     for ax, place, digits in zip(
-        axes, (ideal, bent, pixels_from_normalised(bent, intrinsics)), (3, 3, 1), strict=True
+        axes, (ideal, bent, pixels_from_normalised(bent, intrinsics)), (4, 4, 1), strict=True
     ):
         _marked(ax, place, digits)
     return fig
@@ -139,7 +139,8 @@ def _marked(ax: Axes, place: Floats, digits: int) -> None:
     """Mark a point and write its coordinates below it, on white."""
     ax.plot(*place, "o", color=ROLES["object"], ms=8, zorder=5)
     low, high = ax.get_ylim()
-    text = f"({place[0]:.{digits}f}, {place[1]:.{digits}f})"
+    x, y = place + 1e-9  # 593.25 is 593.3, as at school
+    text = f"({x:.{digits}f}, {y:.{digits}f})"
     paper = {"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.9}
     below = (place[0], place[1] + 0.09 * (low - high))
     write(ax, below, text, fontsize=9, ha="right", bbox=paper)

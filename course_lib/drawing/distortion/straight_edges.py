@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.distortion import straightness
 from course_lib.drawing.diagrams import (
     Floats,
     figure,
@@ -41,21 +40,32 @@ def rails() -> Figure:
     Figure
         The photograph, and the distances from the straight lines through each rail's ends.
     """
-    return _with_edges(photograph(), rail_points(photograph()))
+    lines = rail_points(photograph())
+    return _with_edges(photograph(), lines, [_middle(line) for line in lines])
+
+
+def _middle(line: Floats) -> str:
+    """Return how far the farthest point of a line is above the straight edge, in words."""
+    off = _above(line)
+    return f"middle {off[np.argmax(np.abs(off))]:.1f} px".replace("-", "−")
 
 
 @figure(
     "Left: the photograph of three rails, straightened, with a straight edge laid over each. "
     "Right: how far the middle of each rail is from that edge, in px, along the rail."
 )
-def straightened_rails(ideal: Sequence[ArrayLike | None]) -> Figure:
+def straightened_rails(
+    lines: Sequence[ArrayLike | None], rms: Sequence[float | None] | None = None
+) -> Figure:
     """Show the rails without distortion, and how far they are from straight.
 
     Parameters
     ----------
-    ideal : sequence of array_like, each of shape (N, 2)
-        Points on rails A, B and C, as a student's function undistorted them: in normalised
-        coordinates. A rail with None, or without numbers, is left out.
+    lines : sequence of array_like, each of shape (N, 2)
+        Points on rails A, B and C, px, as a student's function undistorted them. A rail with None,
+        or without numbers, is left out; without any rail the picture is shown as photographed.
+    rms : sequence of float, optional
+        How straight a student's function found each rail, px.
 
     Returns
     -------
@@ -63,20 +73,33 @@ def straightened_rails(ideal: Sequence[ArrayLike | None]) -> Figure:
         The straightened photograph, and the distances from the straight edges.
     """
     shapes = rail_points(photograph())
-    drawn = [same_shape(line, shape) for line, shape in zip(ideal, shapes, strict=True)]
-    lines = [None if line is None else line @ K[:2, :2].T + K[:2, 2] for line in drawn]
-    return _with_edges(undistort_picture(photograph(), K, LENS), lines)
+    drawn = [same_shape(line, shape) for line, shape in zip(lines, shapes, strict=False)]
+    drawn += [None] * (len(shapes) - len(drawn))
+    known = any(line is not None for line in drawn)
+    picture = undistort_picture(photograph(), K, LENS) if known else photograph()
+    return _with_edges(picture, drawn, [_of(n, rms) for n in range(len(shapes))])
 
 
-def _with_edges(picture: NDArray[np.uint8], lines: Sequence[Floats | None]) -> Figure:
+def _of(number: int, rms: Sequence[float | None] | None) -> str:
+    """Return a student's straightness of a rail in words, if there is one."""
+    given = rms[number] if rms is not None and number < len(rms) else None
+    value = same_shape(given, np.zeros(()))
+    return "" if value is None else f"RMS {float(value):.2f} px"
+
+
+def _with_edges(
+    picture: NDArray[np.uint8], lines: Sequence[Floats | None], said: Sequence[str]
+) -> Figure:
     """Show a picture of the rails with straight edges, and the distances from them."""
     fig, (left, right) = panels(1, 2, (FULL_WIDTH, 3.3), width_ratios=[1.15, 1])
     left.imshow(picture, vmin=0, vmax=255)
     right.axhline(0, color=GREY, lw=1)
-    for rail, line, style, role in zip(RAILS, lines, STYLES, ROLES_OF_RAILS, strict=True):
+    looks = zip(RAILS, lines, said, STYLES, ROLES_OF_RAILS, strict=True)
+    for rail, line, words, style, role in looks:
         if line is not None and np.isfinite(line).all():
             _straight_edge(left, line, rail.name)
-            _deviation(right, line, rail.name, style, role)
+            label = f"{rail.name}: {words}" if words else rail.name
+            right.plot(line[:, 0], _above(line), style, color=ROLES[role], label=label)
     picture_frame(left, (picture.shape[1], picture.shape[0]))
     right.set(xlabel="u along the rail (px)", ylabel="above the straight edge (px)")
     right.set(xlim=(90, 610), ylim=(-13, 21))
@@ -92,8 +115,7 @@ def _straight_edge(ax: Axes, line: Floats, name: str) -> None:
     write(ax, (line[0, 0] - 38, line[0, 1]), name, fontweight="bold", color="white")
 
 
-def _deviation(ax: Axes, line: Floats, name: str, style: str, role: str) -> None:
-    """Draw how far a line is above the straight line through its ends, px."""
+def _above(line: Floats) -> Floats:
+    """Return how far a line is above the straight line through its ends, px."""
     chord = np.interp(line[:, 0], line[[0, -1], 0], line[[0, -1], 1])
-    label = f"{name}: RMS {straightness(line):.2f} px"
-    ax.plot(line[:, 0], chord - line[:, 1], style, color=ROLES[role], label=label)
+    return np.asarray(chord - line[:, 1])
