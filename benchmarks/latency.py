@@ -61,6 +61,11 @@ EXPLORERS = {
         ("homography", "homography_explorer", "A homography from four corners", "u1"),
         ("DLT under noise", "dlt_noise_explorer", "The camera's DLT under noise", "sigma"),
     ),
+    "calibration": (
+        ("detection viewer", "detection_explorer", "Finding a corner", "blur"),
+        ("poses", "pose_explorer", "Which views tell what", "noise"),
+        ("reprojection inspector", "reprojection_inspector", "Inspect the residuals", "du"),
+    ),
 }
 
 # What is on the screen: the number of the frame drawn, or the picture that Matplotlib made. New

@@ -25,7 +25,10 @@ def detection_explorer() -> Explorer:
 
 def pose_explorer() -> Explorer:
     """Return the pose explorer: which views determine which numbers of a camera."""
-    controls = [
+    controls: list[Slider | Switch] = [
+        Slider("noise", "Error of a corner", "σ", "px", 0.02, 1, 0.1, step=0.02, digits=2)
+    ]
+    controls += [
         Switch(f"view{n}", name.capitalize(), n <= 2) for n, name in enumerate(VIEWS, start=1)
     ]
     return Explorer("Which views tell what", controls, poses_frame)

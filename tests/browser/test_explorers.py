@@ -65,6 +65,14 @@ EXPLORERS = {
         "The camera's DLT under noise",
         "Tallest pin",
     ),
+    "detection": ("calibration", "detection_explorer", "Finding a corner", "Blur σ"),
+    "views": ("calibration", "pose_explorer", "Which views tell what", "Error of a corner σ"),
+    "residuals": (
+        "calibration",
+        "reprojection_inspector",
+        "Inspect the residuals",
+        "Look at du",
+    ),
 }
 #: Those with a photograph that the pointer reads; everything is tried on them.
 READABLE = ("aperture", "focal", "dolly", "depth", "corners")

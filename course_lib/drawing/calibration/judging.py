@@ -52,7 +52,7 @@ def steps_down(histories: Mapping[str, Sequence[float]]) -> Figure:
     for (name, rms), role in zip(histories.items(), ("second", "camera", "object"), strict=False):
         ax.plot(range(len(rms)), rms, "o-", color=ROLES[role], label=name, ms=4)
     ax.set_yscale("log")
-    ax.set(xlabel="step", ylabel="RMS (px)")
+    ax.set(xlabel="step (number)", ylabel="RMS (px)")
     ax.set_xticks(range(max(len(rms) for rms in histories.values())))
     ax.set_yticks([0.1, 0.2, 0.5, 1, 2, 5])
     plain_numbers(ax)
@@ -123,7 +123,7 @@ def views_grow(pixels: Sequence[ArrayLike]) -> Figure:
     counts = range(2, len(pixels) + 1)
     found = [first_views(pixels, n) for n in counts]
     fig, axes = panels(1, 3, (FULL_WIDTH, 2.9))
-    labels = {"fx": "fx (px)", "cx": "cx (px)", "k1": "k1"}
+    labels = {"fx": "fx (px)", "cx": "cx (px)", "k1": "k1 (no unit)"}
     for ax, (name, label) in zip(axes, labels.items(), strict=True):
         values = [
             dict(zip(("fx", "cx", "k1"), (c.K[0, 0], c.K[0, 2], c.coefficients[0]), strict=True))[
@@ -142,7 +142,7 @@ def views_grow(pixels: Sequence[ArrayLike]) -> Figure:
             ms=4,
             lw=1.6,
         )
-        ax.set(xlabel="views", title=label)
+        ax.set(xlabel="views (number)", ylabel=label)
         ax.set_xticks([2, 5, 10, 13])
     return fig
 
@@ -174,7 +174,7 @@ def held_out_models(pixels: Sequence[ArrayLike]) -> Figure:
     ax.plot(counts, [others for _, others in found], "s-", color=ROLES["object"])
     write(ax, (8.2, found[-2][1] + 0.0035), "views held out", "object")
     write(ax, (10.2, found[-1][0] - 0.003), "views used", "camera")
-    ax.set(xlabel="coefficients of distortion", ylabel="RMS (px)", xticks=counts)
+    ax.set(xlabel="coefficients of distortion (number)", ylabel="RMS (px)", xticks=counts)
     low = min(own for own, _ in found)
     ax.set_ylim(low - 0.006, max(others for _, others in found) + 0.004)
     return fig

@@ -23,7 +23,6 @@ BOARD = Checkerboard(9, 6, 30.0)
 SIZE = (640, 480)
 K = np.array([[560.0, 0, 319.5], [0, 560, 239.5], [0, 0, 1]])
 LENS = (-0.25, 0.08)
-SIGMA = 0.1  # px: how well a corner is found, along u and along v
 MODEL = CameraModel(coefficients=("k1", "k2"))
 TILT = np.radians(35)
 #: By name: how the board is turned about its middle, and where its middle is, mm.
@@ -46,11 +45,13 @@ AXES = Plot((44, 226, 24, 236), (0.01, 100), (0, 4), log_x=True)
 UNKNOWN = 1e-9
 
 
-def poses_frame(**switched: bool) -> Frame:
+def poses_frame(noise: float, **switched: bool) -> Frame:
     """Return what chosen views of a board say about a camera.
 
     Parameters
     ----------
+    noise : float
+        How well a corner is found, along u and along v, px.
     **switched : bool
         ``view1`` … ``view8``: whether a view of `VIEWS` is used.
 
@@ -60,17 +61,17 @@ def poses_frame(**switched: bool) -> Frame:
         The boards in space and in the picture, and the standard deviations of the camera.
     """
     chosen = [bool(switched.get(f"view{n}")) for n in range(1, len(VIEWS) + 1)]
-    sigma = sigmas(chosen)
+    sigma = {name: noise * value for name, value in sigmas(chosen).items()}
     readouts = [Readout("Views", "", f"{sum(chosen)}")]
     for name, (unit, factor) in BARS.items():
         value = sigma[name]
         text = f"± {factor * value:.2g}" if np.isfinite(value) else "not determined"
         readouts.append(Readout(name, "", text, unit if np.isfinite(value) else ""))
-    return Frame((_room(chosen), _seen(chosen), _bars(sigma)), tuple(readouts))
+    return Frame((_room(chosen), _seen(chosen), _bars(sigma, noise)), tuple(readouts))
 
 
 def sigmas(chosen: list[bool]) -> dict[str, float]:
-    """Return the standard deviation of each number of the camera; infinite if it stays open.
+    """Return standard deviations of the camera for corners found to 1 px; infinite if one is open.
 
     Parameters
     ----------
@@ -88,7 +89,7 @@ def sigmas(chosen: list[bool]) -> dict[str, float]:
     known = values > UNKNOWN
     open_part = (vectors[:, ~known] ** 2).sum(axis=1)
     variance = ((vectors[:, known] ** 2) / values[known]).sum(axis=1) / size**2
-    sigma = np.where(open_part > 1e-6, np.inf, SIGMA * np.sqrt(variance))
+    sigma = np.where(open_part > 1e-6, np.inf, np.sqrt(variance))
     return dict(zip(MODEL.names, sigma.tolist(), strict=True))
 
 
@@ -169,7 +170,7 @@ def _room(chosen: list[bool]) -> Picture:
 
 def _seen(chosen: list[bool]) -> Picture:
     width, height = SEEN_SIZE
-    frame = np.array([[0, 0], [width - 1, 0], [width - 1, height - 1], [0, height - 1]])
+    frame = np.array([[1, 1], [width - 2, 1], [width - 2, height - 2], [1, height - 2]])
     lines = [Line(frame, "image", 1.5, closed=True)]
     for on, outline in zip(chosen, _in_picture(), strict=True):
         role, thick, fill = ("object", 2.0, 0.15) if on else ("guide", 0.8, 0.0)
@@ -187,7 +188,7 @@ def _named(chosen: list[bool]) -> str:
     return "; ".join(names) or "none"
 
 
-def _bars(sigma: dict[str, float]) -> Picture:
+def _bars(sigma: dict[str, float], noise: float) -> Picture:
     left, right, top, bottom = AXES.box
     lines, labels, said = [AXES.frame()], [*AXES.ticks((0.01, 0.1, 1, 10, 100), ())], []
     for number, (name, (unit, factor)) in enumerate(BARS.items()):
@@ -203,7 +204,7 @@ def _bars(sigma: dict[str, float]) -> Picture:
         said.append(f"{name} {text}")
     return Picture(
         "Standard deviations",
-        f"Standard deviations if corners are found to {SIGMA:g} px: {', '.join(said)}.",
+        f"Standard deviations if corners are found to {noise:g} px: {', '.join(said)}.",
         BARS_SIZE,
         lines=tuple(lines),
         labels=tuple(labels),
