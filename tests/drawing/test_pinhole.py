@@ -34,6 +34,7 @@ FIGURES = {
     "lens_centred": draw.lens_centred,
     "lens_fan": draw.lens_fan,
     "meeting_lines": lambda: draw.meeting_lines(PHOTOGRAPH, EDGES, (250, 16)),
+    "meeting_lines nowhere": lambda: draw.meeting_lines(PHOTOGRAPH, EDGES, (np.nan, 16)),
     "meeting_lines upright": lambda: draw.meeting_lines(PHOTOGRAPH, UPRIGHT, (20, 400)),
     "one_line_runs_away": draw.one_line_runs_away,
     "photograph": lambda: draw.photograph(PHOTOGRAPH, (30, 30), EDGES),

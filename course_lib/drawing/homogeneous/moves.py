@@ -161,7 +161,7 @@ def opening_door(angles: ArrayLike, yours: Sequence[ArrayLike | None] = ()) -> F
     for angle, R in zip(angles, [*yours, *[None] * len(angles)], strict=False):
         ax.plot(*view.project(rotation_about_axis(AXIS, angle) @ DOOR[3]), "o", mfc="none", **_RING)
         drawn = same_shape(R, np.eye(3))
-        if drawn is not None and np.isfinite(drawn).all():
+        if drawn is not None and (np.abs(drawn) < 1e9).all():
             show_face(ax, view, DOOR @ drawn.T, "second", alpha=0.2)
     _legend(ax, len(yours) > 0 and yours[0] is not None)
     ax.set(xlim=(80, 560), ylim=(430, 20))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.drawing.diagrams import figure, panels, picture_frame, stroke, write
+from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, stroke, write
 from course_lib.drawing.style import BLACK, BLUE, FULL_WIDTH, GREEN, ORANGE, PURPLE
 
 if TYPE_CHECKING:
@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 
 #: An edge in a picture: its two ends in pixels.
 Edge = tuple[tuple[float, float], tuple[float, float]]
+
+
+#: px: what meets farther away than that is not drawn.
+FARTHEST = 1e6
 
 
 @figure(
@@ -76,9 +80,12 @@ def meeting_lines(picture: ArrayLike, edges: Mapping[str, Edge], meeting: ArrayL
     Returns
     -------
     Figure
-        The picture, small, and the two lines up to the point where they meet.
+        The picture, small, and the two lines up to the point where they meet; the edges alone, and
+        the reason, where that is no pixel.
     """
     picture, meeting = np.asarray(picture), np.asarray(meeting, dtype=float)
+    if not (np.abs(meeting) < FARTHEST).all():
+        return _edges_alone(picture, edges, meeting)
     height, width = picture.shape[:2]
     upright = abs(meeting[1] - height / 2) > abs(meeting[0] - width / 2)
     fig, ax = panels(1, 1, (4.6, 5.2) if upright else (FULL_WIDTH, 2.4))
@@ -95,6 +102,18 @@ def meeting_lines(picture: ArrayLike, edges: Mapping[str, Edge], meeting: ArrayL
         ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1))
     else:
         ax.legend(loc="lower left")
+    return fig
+
+
+def _edges_alone(picture: Floats, edges: Mapping[str, Edge], meeting: Floats) -> Figure:
+    """Show edges whose lines do not meet in any pixel that could be drawn."""
+    height, width = picture.shape[:2]
+    fig, ax = panels(1, 1, (FULL_WIDTH, 2.4))
+    ax.imshow(picture, extent=(-0.5, width - 0.5, height - 0.5, -0.5))
+    for edge, colour in zip(edges.values(), _colours(), strict=False):
+        stroke(ax, np.asarray(edge), color=colour, lw=1.6)
+    ax.set(xlabel="u (px)", ylabel="v (px)")
+    ax.set_title("no place for the star: ({:.3g}, {:.3g})".format(*meeting))
     return fig
 
 

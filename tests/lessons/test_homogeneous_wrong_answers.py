@@ -1,0 +1,69 @@
+"""Whatever a student's function returns, the cells of chapter 02 that use it run to their end."""
+
+import ast
+import re
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from lesson_text import lesson_text
+
+from course_lib.exercises.homogeneous import EXERCISES
+from course_lib.judging import Exercise
+
+mpl.use("Agg")  # as a test has no screen
+
+CODE = re.findall(r"```\{code-cell\} ipython3\n(.*?)```", lesson_text("02_homogeneous"), re.S)
+CELLS = [cell for cell in CODE if "[exercise]" not in cell and "explorer()" not in cell]
+FUNCTIONS = [exercise for exercise in EXERCISES if isinstance(exercise, Exercise)]
+
+
+def student(exercise, function):
+    """Return a function under the exercise's name, as a notebook has it."""
+
+    def answer(*inputs):
+        return function(*inputs)
+
+    answer.__name__ = exercise.function_name
+    return answer
+
+
+def run(cell, scope):
+    """Run a cell, and draw its figure as Jupyter would."""
+    tree = ast.parse(cell)
+    last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
+    exec(compile(tree, "cell", "exec"), scope)
+    shown = eval(compile(ast.Expression(last.value), "cell", "eval"), scope) if last else None
+    if hasattr(shown, "canvas"):
+        shown.canvas.draw()
+
+
+def filled(exercise, number):
+    """Return a function whose answers have the right shape and one number everywhere."""
+
+    def fill(value):
+        return tuple(map(fill, value)) if isinstance(value, tuple) else np.full_like(value, number)
+
+    return lambda *inputs: fill(exercise.reference(*inputs))
+
+
+@pytest.fixture(scope="module")
+def scope():
+    """Return the variables of the lesson after all its cells, answered rightly."""
+    scope = {e.function_name: student(e, e.reference) for e in FUNCTIONS}
+    for cell in CELLS:
+        run(cell, scope)
+    return scope
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")  # what Python says of a student's division
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=lambda e: e.function_name)
+def test_cells_survive_wrong_answers(exercise, scope):
+    name = exercise.function_name
+    using = [cell for cell in CELLS if re.search(rf"\b{name}\b", cell)]
+    assert using
+    wrong = [v for m in exercise.misconceptions for v in (m.variant, *m.also)]
+    wrong += [filled(exercise, number) for number in (0.0, np.nan, 1e100, -1e-300)]
+    for function in wrong:
+        for cell in using:
+            run(cell, scope | {name: student(exercise, function)})
