@@ -184,7 +184,11 @@ def test_four_points_fit_and_the_others_tell():
     assert off[four].max() < 1e-9
     assert off.max() > 0.005
     title = draw.straightened(WALL, exact, four).axes[1].get_title(loc="left")
-    assert title == f"points off by {np.sqrt((off**2).mean()):.3f} bays"
+    unused = np.delete(off, four)
+    assert title == f"the others are off by {np.sqrt((unused**2).mean()):.3f} bays (RMS)"
+    off = np.linalg.norm(apply_homography(WALL.pixels, H) - WALL.places, axis=1)
+    title = draw.straightened(WALL, H).axes[1].get_title(loc="left")
+    assert title == f"all are off by {np.sqrt((off**2).mean()):.3f} bays (RMS)"
 
 
 def test_the_points_that_were_read_off_are_those_of_one_plane():

@@ -45,7 +45,7 @@ def test_the_squares_are_as_large_as_the_residuals_and_add_up():
 
 @pytest.mark.parametrize("slipped", [False, True])
 def test_no_line_beats_the_best_one(slipped):
-    frame = LINE(40, 10, slipped)
+    frame = LINE(40, 10, slipped, best=True)
     m, c = value(frame, "Best slope"), value(frame, "Best height")
     least = value(LINE(m, c, slipped), "Sum of the squares")
     assert least <= value(frame, "Smallest possible") + 5
@@ -73,9 +73,14 @@ def test_a_dragged_line_goes_where_the_pointer_is(number):
     np.testing.assert_allclose(after.at, target, atol=1e-6)
 
 
+def test_the_best_line_is_not_told_before_it_is_asked_for():
+    assert [r.label for r in LINE(30, 100).readouts] == ["Sum of the squares"]
+    assert "45.6" not in str(LINE(30, 100))
+
+
 def test_one_slip_turns_the_best_line():
-    assert value(LINE(30, 100), "Best slope") == 45.6
-    assert value(LINE(30, 100, slipped=True), "Best slope") == 56.9
+    assert value(LINE(30, 100, best=True), "Best slope") == 45.6
+    assert value(LINE(30, 100, slipped=True, best=True), "Best slope") == 56.9
     assert len(by_role(LINE(30, 100, best=True).pictures[0], "image")) == 1
 
 

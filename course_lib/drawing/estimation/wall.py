@@ -40,14 +40,11 @@ class Wall(NamedTuple):
         Where the points are in the photograph.
     places : ndarray, shape (N, 2)
         Where they are on the wall: bays to the right, floors up.
-    ends : ndarray, shape (2, 2)
-        Left and right end of something to measure, in the photograph.
     """
 
     picture: NDArray[np.uint8]
     pixels: Floats
     places: Floats
-    ends: Floats
 
 
 def building(path: Path) -> Wall:
@@ -61,17 +58,14 @@ def building(path: Path) -> Wall:
     Returns
     -------
     Wall
-        The picture and its points; `ends` are those of a balcony at the left end.
+        The picture and its points.
     """
     import cv2
 
     picture = cv2.imread(str(path), cv2.IMREAD_COLOR_RGB)
     pixels = [np.array(floor.split(), dtype=float).reshape(-1, 2) for floor in FLOORS]
     places = [(k, up) for up, floor in enumerate(pixels) for k in range(len(floor))]
-    balcony = np.array([[152.7, 265.5], pixels[2][0]])
-    return Wall(
-        np.asarray(picture, np.uint8), np.concatenate(pixels), np.array(places, float), balcony
-    )
+    return Wall(np.asarray(picture, np.uint8), np.concatenate(pixels), np.array(places, float))
 
 
 def rendered_building() -> Wall:
@@ -80,8 +74,7 @@ def rendered_building() -> Wall:
     Returns
     -------
     Wall
-        The picture, and the bottom-left corners of 17 windows and a door, good to half a pixel;
-        `ends` are those of a window.
+        The picture, and the bottom-left corners of 17 windows and a door, good to half a pixel.
     """
     from data_generators import cell, facade
 
@@ -90,8 +83,7 @@ def rendered_building() -> Wall:
     corners = np.array([facade.window(int(k), int(floor))[0] for k, floor in places])
     exact = camera.project(facade.in_space(corners))
     pixels = cell.observed(exact, 0.5, np.random.default_rng(2))
-    window = camera.project(facade.in_space(facade.window(2, 1)[:2]))
-    return Wall(facade.photograph(camera), pixels, places, window)
+    return Wall(facade.photograph(camera), pixels, places)
 
 
 def outer_four(wall: Wall) -> NDArray[np.intp]:
@@ -132,7 +124,7 @@ def straightened(wall: Wall, H: ArrayLike | None, used: ArrayLike | None = None)
     Figure
         The photograph, and the straightened wall with a grid of bays and floors.
     """
-    fig, (left, right) = panels(1, 2, (FULL_WIDTH, 3.0), width_ratios=(1, 1.25))
+    fig, (left, right) = panels(1, 2, (FULL_WIDTH, 2.9), width_ratios=(1, 1.6))
     height, width = wall.picture.shape[:2]
     left.imshow(wall.picture)
     picture_frame(left, (width, height))
@@ -146,7 +138,7 @@ def straightened(wall: Wall, H: ArrayLike | None, used: ArrayLike | None = None)
         right.axis("off")
         write(right, (0.5, 0.5), "no homography yet", "guide")
         return fig
-    _straight(right, wall, drawn)
+    _straight(right, wall, drawn, chosen)
     return fig
 
 
@@ -162,7 +154,7 @@ def _usable(H: ArrayLike | None) -> Floats | None:
     return drawn
 
 
-def _straight(ax: Axes, wall: Wall, H: Floats) -> None:
+def _straight(ax: Axes, wall: Wall, H: Floats, used: NDArray[np.intp]) -> None:
     """Draw the straightened wall, half a bay wider than its points, with its grid."""
     import cv2
 
@@ -183,4 +175,7 @@ def _straight(ax: Axes, wall: Wall, H: Floats) -> None:
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     ax.set(xlabel="to the right (bays)", ylabel="up (floors)")
     left = apply_homography(wall.pixels, H) - wall.places
-    ax.set_title(f"points off by {np.sqrt((left**2).sum(axis=1).mean()):.3f} bays", color=BLACK)
+    others = np.delete(left, used, axis=0)
+    which, left = ("the others", others) if len(others) else ("all", left)
+    rms = np.sqrt((left**2).sum(axis=1).mean())
+    ax.set_title(f"{which} are off by {rms:.3f} bays (RMS)", color=BLACK)

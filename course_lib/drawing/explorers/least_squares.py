@@ -33,7 +33,7 @@ def least_squares_frame(m: float, c: float, slipped: bool = False, best: bool = 
     slipped : bool
         Whether one reading is wrong.
     best : bool
-        Whether the line of least squares is drawn too.
+        Whether the line of least squares is drawn too, and told in numbers.
 
     Returns
     -------
@@ -43,12 +43,13 @@ def least_squares_frame(m: float, c: float, slipped: bool = False, best: bool = 
     y = readings(slipped)
     slope, intercept = fit_line(LOADS, y)
     total = squares(m, c, y)
-    numbers = (
-        Readout("Sum of the squares", "E²", f"{total:.0f}"),
-        Readout("Smallest possible", "", f"{squares(slope, intercept, y):.0f}"),
-        Readout("Best slope", "", f"{slope:.1f}", "/kN"),
-        Readout("Best height", "", f"{intercept:.1f}"),
-    )
+    numbers: tuple[Readout, ...] = (Readout("Sum of the squares", "E²", f"{total:.0f}"),)
+    if best:
+        numbers += (
+            Readout("Smallest possible", "", f"{squares(slope, intercept, y):.0f}"),
+            Readout("Best slope", "", f"{slope:.1f}", "/kN"),
+            Readout("Best height", "", f"{intercept:.1f}"),
+        )
     pictures = (
         _readings(m, c, y, total, (slope, intercept) if best else None),
         _parabola("m", SLOPES, np.array([squares(s, c, y) for s in _range(SLOPES)]), m, total),
