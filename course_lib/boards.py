@@ -13,15 +13,15 @@ import numpy as np
 from course_lib.calibration_views import board_points
 from course_lib.checks import Array, check_length
 
-#: Fewer points in a row or column make no grid.
-FEWEST, MOST = 2, 200
+#: Fewer points in a row or column make no grid; corners are looked for three by three at least.
+FEWEST, FEWEST_CORNERS, MOST = 2, 3, 200
 
 
-def _check_counts(columns: int, rows: int, what: str) -> None:
+def _check_counts(columns: int, rows: int, what: str, fewest: int = FEWEST) -> None:
     for name, count in (("columns", columns), ("rows", rows)):
-        if not isinstance(count, int | np.integer) or not FEWEST <= count <= MOST:
+        if not isinstance(count, int | np.integer) or not fewest <= count <= MOST:
             raise ValueError(
-                f"{name} must be a whole number from {FEWEST} to {MOST}, got {count!r}: "
+                f"{name} must be a whole number from {fewest} to {MOST}, got {count!r}: "
                 f"count the {what}"
             )
 
@@ -40,7 +40,7 @@ class Checkerboard:
     Raises
     ------
     TypeError, ValueError
-        If a count is not a whole number of at least 2 or the square is not positive.
+        If a count is not a whole number of at least 3 or the square is not positive.
     """
 
     columns: int
@@ -48,7 +48,8 @@ class Checkerboard:
     square: float
 
     def __post_init__(self) -> None:
-        _check_counts(self.columns, self.rows, "inner corners, where four squares meet")
+        what = "inner corners, where four squares meet"
+        _check_counts(self.columns, self.rows, what, FEWEST_CORNERS)
         check_length(self.square, "square")
 
     def points(self) -> Array:

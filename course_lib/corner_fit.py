@@ -24,6 +24,8 @@ SHARE = 0.55
 NARROWEST = 0.6
 #: Standard deviation of the blur by the width of the step ``tanh(u / width)``.
 BLUR = 0.8
+#: Keeps what a window does not tell, such as the angle of two edges in one line, from running off.
+LEAST_DAMPING = 1e-7
 STEPS = 25
 #: A step that moves no corner by more ends the search, px.
 STILL = 1e-4
@@ -245,7 +247,9 @@ def _least_squares(numbers: Array, values: Array, x: Array, y: Array) -> tuple[A
     normal = J @ J.mT
     for _ in range(STEPS):
         gradient = (J @ (values - model)[..., None])[..., 0]
-        scale = np.maximum(np.diagonal(normal, axis1=1, axis2=2), 1e-12)
+        scale = np.diagonal(normal, axis1=1, axis2=2)
+        # Where nothing is to be seen, some numbers have no influence; they stay.
+        scale = np.maximum(scale, 1e-6 * scale.max(axis=1, keepdims=True))
         damped = normal + (damping[:, None] * scale)[:, :, None] * np.eye(9)
         step = np.linalg.solve(damped, gradient[..., None])[..., 0]
         trial = numbers + step
@@ -253,7 +257,7 @@ def _least_squares(numbers: Array, values: Array, x: Array, y: Array) -> tuple[A
         new_model, new_J = _model(trial, x, y)
         new_cost = ((values - new_model) ** 2).sum(axis=1)
         better = new_cost <= cost
-        damping *= np.where(better, 0.1, 10)
+        damping = np.clip(damping * np.where(better, 0.1, 10), LEAST_DAMPING, 1e9)
         numbers = np.where(better[:, None], trial, numbers)
         cost = np.where(better, new_cost, cost)
         model = np.where(better[:, None], new_model, model)

@@ -30,7 +30,8 @@ def test_points_of_squares_go_around():
 @pytest.mark.parametrize(
     ("make", "said"),
     [
-        (lambda: Checkerboard(1, 6, 25), "columns must be .* inner corners"),
+        (lambda: Checkerboard(2, 6, 25), "columns must be a whole number from 3 .* inner corners"),
+        (lambda: DotGrid(9, 1, 25, 15), "rows must be a whole number from 2 .* dots"),
         (lambda: Checkerboard(9, 6.0, 25), "rows must be a whole number"),
         (lambda: Checkerboard(9, 6, 0), "square must be positive"),
         (lambda: Checkerboard(9, 6, float("nan")), "square must be finite"),

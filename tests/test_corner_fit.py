@@ -96,6 +96,14 @@ class TestNoCorner:
         assert not fit.good[0]
         np.testing.assert_array_equal(fit.points[0], (20.2, 19.9))
 
+    @pytest.mark.parametrize("seed", range(3))
+    def test_noise_breaks_nothing(self, seed):
+        rng = np.random.default_rng(seed)
+        picture = rng.integers(0, 2, (60, 80)).astype(float) * 255
+        places = rng.uniform((0, 0), (80, 60), (300, 2))
+        fit = fit_corners(picture, places)
+        assert np.isfinite(fit.points).all()
+
     def test_beyond_the_border(self):
         fit = fit_corners(crossing((20, 20), (0, 1.5)), [(-3, 20), (20, 20), (60, 60)])
         np.testing.assert_array_equal(fit.good, (False, True, False))

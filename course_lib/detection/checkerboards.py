@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from course_lib.boards import Checkerboard
 from course_lib.checks import Array
 from course_lib.corner_fit import MOST, SHARE, CornerFit, fit_corners, refine_corners
-from course_lib.detection.reasons import judged, why_not_found
+from course_lib.detection.reasons import is_board, judged, why_not_found
 from course_lib.detection.result import (
     Detection,
     Grey,
@@ -37,6 +37,9 @@ def detect_checkerboard(image: ArrayLike, board: Checkerboard) -> Detection:
     if rough is None:
         return why_not_found(grey, board)
     rough = in_order(grey, rough, board)
+    fit = fit_in_suitable_size(grey, rough.reshape(-1, 2))
+    if not is_board(fit):
+        return why_not_found(grey, board)
     larger = _beyond(grey, rough)
     if larger:
         columns, rows = board.columns + larger[0], board.rows + larger[1]
@@ -46,12 +49,9 @@ def detect_checkerboard(image: ArrayLike, board: Checkerboard) -> Detection:
             "Count the inner corners, where four squares meet.",
             (columns, rows),
         )
-    fit = fit_in_suitable_size(grey, rough.reshape(-1, 2))
     ids = np.flatnonzero(fit.good)
     problem, verdict = judged(grey, fit, rough, board)
-    blur = float(np.median(fit.blur[ids])) if len(ids) else float("nan")
-    found = Detection(True, fit.points[ids], ids, problem, verdict, blur)
-    return found if len(ids) >= len(fit.good) / 2 else replace(found, found=False)
+    return Detection(True, fit.points[ids], ids, problem, verdict, float(np.median(fit.blur[ids])))
 
 
 def fit_in_suitable_size(grey: Picture, rough: Array, share: float = SHARE) -> CornerFit:

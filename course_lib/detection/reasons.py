@@ -8,12 +8,15 @@ import numpy as np
 
 from course_lib.boards import Checkerboard
 from course_lib.checks import Array
-from course_lib.corner_fit import CornerFit
+from course_lib.corner_fit import CornerFit, fit_corners
 from course_lib.detection.result import Detection, Picture, Problem, nothing, smaller_pictures
 from course_lib.lattices import cell_middles, next_row
 
 #: A blur is too wide beyond this part of a square, px of the picture's long side, and px.
 BLUR_OF_SQUARE, BLUR_OF_PICTURE, BLUR_PIXELS = 0.12, 0.0035, 1.5
+#: So many of a board's corners must be where two edges cross, and what a crossing does not explain
+#: must be a smaller part of the contrast.
+CORNERS, UNLIKE = 0.7, 0.2
 #: Grey levels from here on count as white without detail.
 CLIPPED = 250
 #: A corner whose contrast is a smaller part of the usual one is washed out.
@@ -46,6 +49,12 @@ def judged(grey: Picture, fit: CornerFit, grid: Array, board: Checkerboard) -> t
     if lost > 0.1 * len(fit.good):
         return "covered", f"The board was found, but something hides a part of it.{rest}"
     return "", f"All {board.name} found." if not lost else f"The board was found.{rest}"
+
+
+def is_board(fit: CornerFit) -> bool:
+    """Return whether places are the corners of a board, and not of something like it."""
+    unlike = np.median(fit.noise / np.maximum(fit.contrast, 1e-9))
+    return bool(fit.good.mean() >= CORNERS and unlike < UNLIKE)
 
 
 def too_blurred(blur: float, square: float, shape: tuple[int, ...]) -> bool:
@@ -120,8 +129,9 @@ def part_of_board(grey: Picture) -> Seen | None:
     for picture, _ in smaller_pictures(grey):
         found, corners, meta = cv2.findChessboardCornersSBWithMeta(picture, (3, 3), flags)
         if found and (best is None or meta.size > best.grid.shape[0] * best.grid.shape[1]):
-            grid = np.asarray(corners, float).reshape(*meta.shape[:2], 2)
-            best = Seen(picture, grid)
+            points = np.asarray(corners, float).reshape(-1, 2)
+            if is_board(fit_corners(picture, points)):
+                best = Seen(picture, points.reshape(*meta.shape[:2], 2))
     return best
 
 

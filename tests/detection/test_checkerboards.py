@@ -1,6 +1,7 @@
 import cv2
 import numpy as np
 import pytest
+import skimage.data
 from real_data import fetched
 
 from course_lib import data
@@ -129,6 +130,13 @@ class TestVerdicts:
         found = detect_board(np.full((120, 160), level, np.uint8), Checkerboard(9, 6, 30))
         assert found.problem == "no board"
         assert found.points.shape == (0, 2)
+
+    @pytest.mark.parametrize("name", ["brick", "gravel", "text"])
+    @pytest.mark.parametrize("counts", [(9, 6), (3, 3)])
+    def test_things_that_look_a_little_like_one(self, name, counts):
+        found = detect_board(getattr(skimage.data, name)(), Checkerboard(*counts, 30))
+        assert not found.found
+        assert found.problem == "no board"
 
     def test_noise_is_no_board(self):
         picture = np.random.default_rng(0).integers(0, 256, (120, 160)).astype(np.uint8)
