@@ -190,7 +190,7 @@ def test_stars_beside_the_map_are_counted():
     [
         (None, "no pose yet"),
         (PLAN, None),
-        ((SECOND.R.T, SECOND.t), "no house in sight from"),
+        ((SECOND.R.T, SECOND.t), "hardly a house in sight from"),
         ((SECOND.R, np.full(3, np.nan)), "not a pose (nan)"),
         ((SECOND.R, 1e200 * SECOND.t), "not a pose (t is far too long)"),
         ((2 * SECOND.R, SECOND.t), "not a pose (R must be a rotation)"),

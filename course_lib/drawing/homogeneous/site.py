@@ -149,7 +149,7 @@ def show_view(ax: Axes, pose: object) -> Camera | None:
     ax.imshow(picture, extent=(-0.5, SIZE[0] - 0.5, SIZE[1] - 0.5, -0.5))
     if np.abs(np.diff(picture[:, :, 1].astype(float), axis=1)).mean() < PLAIN:
         place = "({:.1f}, {:.1f}, {:.1f}) m".format(*camera.centre + 0.0)
-        say(ax, (0.5, 0.1), f"no house in sight from\n{place}", fontsize=9)
+        say(ax, (0.5, 0.1), f"hardly a house in sight from\n{place}", fontsize=9)
     return camera
 
 
