@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.calibration import Calibration, CameraModel, calibrate, coverage, held_out_rms
+from course_lib.calibration import (
+    Calibration,
+    CameraModel,
+    Coverage,
+    calibrate,
+    coverage,
+    held_out_rms,
+)
 from course_lib.drawing.calibration.photographs import BOARD, SIZE
 from course_lib.drawing.diagrams import (
     figure,
@@ -20,6 +27,7 @@ from course_lib.drawing.diagrams import (
 from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 #: Sets of coefficients, one longer than the other.
@@ -77,33 +85,27 @@ def coverage_map(pixels: Sequence[ArrayLike]) -> Figure:
     found = coverage(pixels, SIZE)
     fig, ax = panels(1, 1, (FULL_WIDTH * 0.75, 4.2))
     picture_frame(ax, SIZE)
-    rows, columns = found.counts.shape
-    wide, tall = SIZE[0] / columns, SIZE[1] / rows
-    for (row, column), count in np.ndenumerate(found.counts):
-        left, top = column * wide - 0.5, row * tall - 0.5
-        colour = ROLES["image"] if count else "white"
-        ax.fill(
-            [left, left + wide, left + wide, left],
-            [top, top, top + tall, top + tall],
-            fc=colour,
-            alpha=0.3 if count else 1,
-            ec=GREY,
-            lw=0.6,
-        )
+    _cells(ax, found)
     ax.plot(*np.vstack([np.asarray(v, float) for v in pixels]).T, ".", color=ROLES["object"], ms=2)
-    for (row, column), count in np.ndenumerate(found.counts):
-        paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.75}
-        write(ax, ((column + 0.5) * wide, (row + 0.5) * tall), str(count), bbox=paper, fontsize=10)
     middle = (np.array(SIZE) - 1) / 2
     turn = np.linspace(0, 2 * np.pi, 181)
     ring = middle + found.reach * np.linalg.norm(middle) * np.stack([np.cos(turn), np.sin(turn)], 1)
     ax.plot(*ring.T, "--", color=BLACK, lw=1.2, clip_on=True)
-    ax.set_title(
-        f"{100 * found.share:.0f} % of the cells; out to {100 * found.reach:.0f} % "
-        "of the way to a corner",
-        fontsize=10.5,
-    )
+    reach = f"out to {100 * found.reach:.0f} % of the way to a corner"
+    ax.set_title(f"{100 * found.share:.0f} % of the cells; {reach}", fontsize=10.5)
     return fig
+
+
+def _cells(ax: Axes, found: Coverage) -> None:
+    """Draw the cells of a coverage, coloured where a corner was seen, with their numbers."""
+    rows, columns = found.counts.shape
+    wide, tall = SIZE[0] / columns, SIZE[1] / rows
+    paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.75}
+    for (row, column), count in np.ndenumerate(found.counts):
+        left, top = column * wide - 0.5, row * tall - 0.5
+        across, down = [left, left + wide, left + wide, left], [top, top, top + tall, top + tall]
+        ax.fill(across, down, fc=ROLES["image"] if count else "white", alpha=0.3, ec=GREY, lw=0.6)
+        write(ax, (left + wide / 2, top + tall / 2), str(count), bbox=paper, fontsize=10)
 
 
 @figure("Focal length, principal point and k1 with their sigma, from two views up to all.")
@@ -172,11 +174,14 @@ def held_out_models(pixels: Sequence[ArrayLike]) -> Figure:
     counts = [len(names) for names in MODELS[1:]]
     ax.plot(counts, [own for own, _ in found], "o-", color=ROLES["camera"])
     ax.plot(counts, [others for _, others in found], "s-", color=ROLES["object"])
-    write(ax, (8.2, found[-2][1] + 0.0035), "views held out", "object")
-    write(ax, (10.2, found[-1][0] - 0.003), "views used", "camera")
+    look: dict[str, Any] = {"textcoords": "offset points", "ha": "right", "va": "center"}
+    for name, number, up, role in (
+        ("views held out", 1, 12, "object"),
+        ("views used", 0, -12, "camera"),
+    ):
+        ax.annotate(name, (11.5, found[-1][number]), (0, up), color=ROLES[role], **look)
     ax.set(xlabel="coefficients of distortion (number)", ylabel="RMS (px)", xticks=counts)
-    low = min(own for own, _ in found)
-    ax.set_ylim(low - 0.006, max(others for _, others in found) + 0.004)
+    ax.margins(y=0.18)
     return fig
 
 

@@ -20,6 +20,7 @@ from course_lib.drawing.space import onlooker, show_axes, show_face, show_frustu
 from course_lib.drawing.style import FULL_WIDTH, ROLES
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 Pose = tuple[ArrayLike, ArrayLike]
@@ -60,13 +61,23 @@ def board_poses(K: ArrayLike, poses: Sequence[Pose | None]) -> Figure:
     if any(pose is None for pose in poses):
         write(ax, (330, 200), "no answer yet", "guide", fontsize=14)
     order = sorted(((n, *pose) for n, pose in enumerate(poses) if pose is not None), key=_farthest)
+    taken: list[Floats] = []
     for number, R, t in order:
         corners = (board_outline() @ np.asarray(R).T + np.asarray(t)) @ up.T
         if np.isfinite(corners).all():
-            show_face(ax, view, corners, "object", alpha=0.12)
-            write(ax, view.project(corners[0]), str(number), fontsize=9)
+            show_face(ax, view, corners, "object", alpha=0.08)
+            _number(ax, np.asarray(view.project(corners)), number, taken)
     ax.set(xlim=(0, 640), ylim=(450, 20))
     return fig
+
+
+def _number(ax: Axes, corners: Floats, number: int, taken: list[Floats]) -> None:
+    """Write a board's number at the corner where there is most room, if there is any."""
+    room = [min([float(np.hypot(*(at - c))) for at in taken], default=np.inf) for c in corners]
+    best = int(np.argmax(room))
+    if room[best] > 22:
+        taken.append(corners[best])
+        write(ax, corners[best], str(number), fontsize=9)
 
 
 def _farthest(numbered: tuple[int, Any, Any]) -> float:
@@ -97,30 +108,28 @@ def vanishing_columns(photograph: NDArray[np.uint8], H: ArrayLike) -> Figure:
     ax.imshow(photograph, vmin=0, vmax=255)
     width, height, _ = BOARD.points()[-1]
     corners = _mapped(H, [[0, 0], [width, 0], [width, height], [0, height]])
-    spans = [corners, np.array([[0, 0], SIZE])]
-    for column, role, sides in ((0, "camera", ((0, 1), (3, 2))), (1, "object", ((0, 3), (1, 2)))):
-        meet = H[:2, column] / H[2, column]
-        spans.append(meet[None])
-        for side in sides:
-            far = corners[list(side)][np.argmax(np.linalg.norm(corners[list(side)] - meet, axis=1))]
-            ax.plot(*np.array([far, meet]).T, color=ROLES[role], lw=1.8)
-        ax.plot(*meet, "o", color=ROLES[role], ms=8)
-        sign = 1 if meet[0] > SIZE[0] / 2 else -1
-        name = f"$\\mathbf{{h}}_{column + 1}$: ({meet[0]:.0f}, {meet[1]:.0f}) px"
-        below = sign > 0
-        ax.annotate(
-            name,
-            meet,
-            (-8 * sign, -16 if below else 14),
-            textcoords="offset points",
-            color=ROLES[role],
-            ha="right" if sign > 0 else "left",
-            va="center",
-        )
-    everything = np.vstack(spans)
-    (left, top), (right, bottom) = everything.min(axis=0) - 60, everything.max(axis=0) + 60
-    ax.set(xlim=(left, right), ylim=(bottom + 20, top - 20))
+    meets = (H[:2, :2] / H[2, :2]).T
+    everything = np.vstack([corners, [[0, 0], SIZE], meets])
+    middle = (everything.min(axis=0) + everything.max(axis=0)) / 2
+    _converge(ax, corners[[[0, 1], [3, 2]]], meets[0], "h_1", middle, "camera")
+    _converge(ax, corners[[[0, 3], [1, 2]]], meets[1], "h_2", middle, "object")
+    (left, top), (right, bottom) = everything.min(axis=0), everything.max(axis=0)
+    room = 0.12 * max(right - left, bottom - top)
+    ax.set(xlim=(left - room, right + room), ylim=(bottom + room, top - room))
     return fig
+
+
+def _converge(ax: Axes, sides: Floats, meet: Floats, name: str, middle: Floats, role: str) -> None:
+    """Prolong two sides (2, 2, 2) to the point where they meet, and name it towards the middle."""
+    for ends in sides:
+        far = ends[np.argmax(np.linalg.norm(ends - meet, axis=1))]
+        ax.plot(*np.array([far, meet]).T, color=ROLES[role], lw=1.8)
+    ax.plot(*meet, "o", color=ROLES[role], ms=8)
+    right, low = meet > middle
+    text = f"$\\mathbf{{{name[0]}}}_{name[2]}$: ({meet[0]:.0f}, {meet[1]:.0f}) px"
+    look: dict[str, Any] = {"color": ROLES[role], "ha": "right" if right else "left"}
+    aside = (-12 if right else 4, 16 if low else -18)
+    ax.annotate(text, tuple(meet), aside, textcoords="offset points", va="center", **look)
 
 
 def _mapped(H: Floats, points: ArrayLike) -> Floats:

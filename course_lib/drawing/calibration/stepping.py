@@ -135,5 +135,7 @@ def in_turns(pixels: Sequence[ArrayLike], rounds: int) -> list[float]:
             for view, (R, t) in zip(pixels, poses, strict=True)
         ]
         history.append(float(np.sqrt((np.vstack(residuals) ** 2).sum(axis=1).mean())))
-        straight = [undistort_pixels(view, K, k) for view in pixels]
+        undone = [undistort_pixels(view, K, k) for view in pixels]
+        # A first lens can be so wild that it reaches no such pixel.
+        straight = [np.where(np.isnan(u), v, u) for u, v in zip(undone, pixels, strict=True)]
     return history

@@ -24,6 +24,11 @@ RAYS = 8  # a pixel, along each axis
 DARK, LIGHT = 40.0, 210.0
 NEAR = 31  # px that are enlarged
 TIMES = NEAR_SIZE[0] / NEAR
+LEGEND = (
+    Label("ring: truth", (6, 12), "image"),
+    Label("window search", (6, 28), "object"),
+    Label("fit", (6, 44), "camera"),
+)
 START = (0.7, -0.6)  # px: how far off the places are where both searches begin
 
 
@@ -137,8 +142,12 @@ def fitted_corner(picture: NDArray[np.uint8], number: int) -> Floats:
     return np.asarray(fit_corners(picture, truth[nearest] + START).points[0])
 
 
-def _colour(grey: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    return np.repeat(grey[..., None], 3, axis=2)
+def _enlarged(grey: NDArray[np.uint8], size: tuple[int, int]) -> NDArray[np.uint8]:
+    """Return a grey picture as RGB of a larger size, its pixels as squares."""
+    import cv2
+
+    larger = cv2.resize(grey, size, interpolation=cv2.INTER_NEAREST)
+    return np.repeat(np.asarray(larger, np.uint8)[..., None], 3, axis=2)
 
 
 def _box(middle: Floats, reach: float, times: float) -> Floats:
@@ -149,17 +158,14 @@ def _box(middle: Floats, reach: float, times: float) -> Floats:
 
 def _whole(picture: NDArray[np.uint8], number: int, reach: int) -> Picture:
     """Return the whole picture, with the window around the chosen corner."""
-    import cv2
-
     times = SHOWN_SIZE[0] / SIZE[0]
-    shown = cv2.resize(picture, SHOWN_SIZE, interpolation=cv2.INTER_NEAREST)
     truth = true_corners()[number]
     return Picture(
         "The picture",
         f"A computed picture of a board. The window around corner {number} is "
         f"{2 * reach + 1} pixels wide; the next corner is {_next_corner()[number]:.1f} px away.",
         SHOWN_SIZE,
-        _colour(np.asarray(shown, np.uint8)),
+        _enlarged(picture, SHOWN_SIZE),
         lines=(Line(_box(np.rint(truth), reach, times), "ray", 2.0, closed=True),),
     )
 
@@ -173,12 +179,9 @@ def _near(
     fitted: Floats,
 ) -> Picture:
     """Return the chosen corner enlarged, with the window and what was found."""
-    import cv2
-
     middle = np.clip(np.rint(truth).astype(int), NEAR // 2, np.array(SIZE) - 1 - NEAR // 2)
     left, top = middle - NEAR // 2
     part = picture[top : top + NEAR, left : left + NEAR]
-    shown = cv2.resize(part, NEAR_SIZE, interpolation=cv2.INTER_NEAREST)
 
     def at(place: Floats) -> Floats:
         return np.asarray(TIMES * (place - (left, top) + 0.5) - 0.5)
@@ -189,19 +192,14 @@ def _near(
         Line(_cross(at(searched), 10), "object", 2.5),
         Line(_cross(at(fitted), 6), "camera", 2.5),
     )
-    labels = (
-        Label("ring: truth", (6, 12), "image"),
-        Label("window search", (6, 28), "object"),
-        Label("fit", (6, 44), "camera"),
-    )
     off = np.linalg.norm(searched - truth), np.linalg.norm(fitted - truth)
     return Picture(
         f"Corner {number}, enlarged",
         f"Corner {number}: the search in the window is {off[0]:.3f} px off, the fit {off[1]:.3f}.",
         NEAR_SIZE,
-        _colour(np.asarray(shown, np.uint8)),
+        _enlarged(part, NEAR_SIZE),
         lines=lines,
-        labels=labels,
+        labels=LEGEND,
     )
 
 

@@ -134,14 +134,6 @@ def _cloud(
     """Return the residuals around zero, those of the chosen view in colour."""
     reach = WAYS[way]
     every, own = _crosses(way, view)
-    du, dv = np.clip(at, -reach, reach).tolist()
-    left, right, top, _ = plot.box
-    slope = 2 * reach / (right - left)
-    handle = Handle(
-        plot.at(du, dv),
-        (("du", -reach - slope * left, slope, 0.0), ("dv", -reach - slope * top, 0.0, slope)),
-        "ray",
-    )
     lines = (
         plot.frame(),
         Line(plot.pixels([-reach, reach], 0), "guide", 0.8),
@@ -159,8 +151,18 @@ def _cloud(
         CLOUD_SIZE,
         lines=lines,
         labels=(*plot.ticks((-tick, 0, tick), (-tick, 0, tick)), *plot.names("du (px)", "dv (px)")),
-        handles=(handle,),
+        handles=(_pointer(plot, reach, at),),
     )
+
+
+def _pointer(plot: Plot, reach: float, at: tuple[float, float]) -> Handle:
+    """Return the spot that is dragged over the residuals."""
+    du, dv = np.clip(at, -reach, reach).tolist()
+    left, right, top, _ = plot.box
+    slope = 2 * reach / (right - left)
+    along = ("du", -reach - slope * left, slope, 0.0)
+    across = ("dv", -reach - slope * top, 0.0, slope)
+    return Handle(plot.at(du, dv), (along, across), "ray")
 
 
 @cache
