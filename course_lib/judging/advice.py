@@ -36,6 +36,11 @@ ADVICE = (
     ),
     (
         "TypeError",
+        "arctan2() takes",
+        "`np.arctan2` takes the two sides one by one, the opposite one first: `np.arctan2(a, b)`.",
+    ),
+    (
+        "TypeError",
         "'NoneType'",
         "Something here is None. Has a search found nothing, or does a function lack its `return`?",
     ),
@@ -139,6 +144,24 @@ ADVICE = (
         "ValueError",
         "R must have shape (3, 3), got (3,)",
         "Three numbers are no rotation. A shift alone has to be named: `rigid_matrix(t=…)`.",
+    ),
+    (
+        "ValueError",
+        "must be tangents",
+        "Have these ever been pixels? If not, a loop has run away: print its first guesses. Do "
+        "they move towards what is missing?",
+    ),
+    (
+        "ValueError",
+        "points are rows",
+        "One point is one row: print the shape. Two tables become rows of points by "
+        "`np.stack([x.ravel(), y.ravel()], axis=1)`, columns become rows by `.T`.",
+    ),
+    (
+        "ValueError",
+        "all input arrays must have the same shape",
+        "Arrays that are stacked have one shape. Print both. For all pixels of a picture "
+        "`np.meshgrid` makes two tables of one shape.",
     ),
     (
         "ValueError",

@@ -5,6 +5,7 @@ import re
 import numpy as np
 import pytest
 
+from course_lib.distortion import distort
 from course_lib.judging.advice import advice
 from course_lib.transforms import rigid_matrix
 
@@ -53,6 +54,25 @@ def test_a_mask_of_pixels_leaves_no_pictures():
 
 def test_hypot_takes_two_numbers():
     assert "np.hypot(a, b)" in said(np.hypot, (36, 24))
+
+
+def test_arctan2_takes_two_numbers():
+    assert "np.arctan2(a, b)" in said(np.arctan2, 0.5)
+
+
+def test_tables_are_no_rows_of_points():
+    x, y = np.meshgrid(np.arange(4.0), np.arange(3.0))
+    for tables in (np.stack([x, y], axis=1), np.stack([x, y], axis=-1), np.column_stack([x, y])):
+        assert "x.ravel(), y.ravel()" in said(distort, tables, [-0.2])
+    assert "`.T`" in said(distort, np.ones((2, 5)), [-0.2])
+
+
+def test_columns_and_rows_of_a_picture_differ_in_number():
+    assert "np.meshgrid" in said(np.stack, [np.arange(4), np.arange(3)])
+
+
+def test_guesses_that_run_away():
+    assert "run away" in said(distort, np.array([[1e9, 0]]), [0.2])
 
 
 @pytest.mark.parametrize("product", [np.matmul, np.dot])

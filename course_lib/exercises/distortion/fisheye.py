@@ -30,6 +30,10 @@ FISHEYE_PROJECT = Exercise(
             "Your polynomial takes the tangent. What does that of a fisheye lens take?",
         ),
         Misconception(
+            wrong.polynomial_of_the_distance,
+            "Your polynomial takes the distance from the axis. What does that of a lens take?",
+        ),
+        Misconception(
             wrong.sine_of_the_angle,
             "Equidistant: equal steps of the angle, equal steps in the image. Is yours like that?",
         ),
@@ -91,6 +95,7 @@ FISHEYE_PROJECT = Exercise(
         Misconception(
             wrong.root_left_out,
             "How far is a point from the axis: did you take the root?",
+            also=[wrong.root_left_out_in_the_direction, wrong.root_left_out_everywhere],
         ),
     ],
 )

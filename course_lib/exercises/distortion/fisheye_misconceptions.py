@@ -45,6 +45,11 @@ def polynomial_of_the_tangent(points, K, k):
     return on_sensor(points[:, :2] / points[:, 2:] * polynomial(r, k, EVEN), K)
 
 
+def polynomial_of_the_distance(points, K, k):
+    rho = sideways(points)
+    return placed(points, K, np.arctan2(rho, points[:, 2]) * polynomial(rho, k, EVEN))
+
+
 def sine_of_the_angle(points, K, k):
     return imaged(points, K, k, np.sin)
 
@@ -125,3 +130,13 @@ def angle_counted_twice(points, K, k):
 def root_left_out(points, K, k):
     angle = np.arctan2(sideways(points) ** 2, points[:, 2])
     return placed(points, K, angle * polynomial(angle, k, EVEN))
+
+
+def root_left_out_in_the_direction(points, K, k):
+    return on_sensor(imaged(points, np.eye(3), k) / sideways(points)[:, None], K)
+
+
+def root_left_out_everywhere(points, K, k):
+    rho = sideways(points)
+    image = root_left_out(points, np.eye(3), k)
+    return on_sensor(image / rho[:, None], K)

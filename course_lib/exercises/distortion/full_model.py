@@ -37,6 +37,7 @@ DISTORT_RATIONAL_PRISM = Exercise(
         Misconception(
             wrong.opencv_order,
             "In OpenCV's list p1 and p2 stand between. In which order does k come here?",
+            also=[wrong.opencv_places, wrong.opencv_kept_place],
         ),
         Misconception(
             wrong.prism_by_distance,

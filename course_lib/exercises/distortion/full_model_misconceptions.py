@@ -52,6 +52,16 @@ def opencv_order(points, k, p, s):
     return fraction(points, k[[0, 1, 4, 2, 3, 5]]) + aside(points, p, s)
 
 
+def opencv_places(points, k, p, s):
+    """Pick k3 to k6 where OpenCV's list of twelve has them."""
+    return fraction(points, k[[0, 1, 4, 5, 6, 7]]) + aside(points, p, s)
+
+
+def opencv_kept_place(points, k, p, s):
+    """Unpack k as if k3 came last, as in the list of five."""
+    return fraction(points, k[[0, 1, 5, 2, 3, 4]]) + aside(points, p, s)
+
+
 def prism_by_distance(points, k, p, s):
     return fraction(points, k) + aside(points, p, s, (1, 2))
 

@@ -150,8 +150,9 @@ def no_fold(rng: Generator) -> Known:
 
 def picture(rng: Generator, aspect: float) -> Inputs:
     """Draw a small picture with a camera whose centre is not the picture's."""
-    width, height = (int(n) for n in rng.permutation([9, 6] if aspect == 1 else [8, 7]))
-    f = np.round(rng.uniform(8, 11), 1)
+    # Large enough that the lens moves some pixels by more than one: rounding does not hide it.
+    width, height = (int(n) for n in rng.permutation([30, 20] if aspect == 1 else [28, 22]))
+    f = np.round(rng.uniform(21, 26), 1)
     centre = np.round((np.array([width, height]) - 1) / 2 + rng.uniform(0.2, 0.8, 2), 1)
     K = np.array([[f, 0, centre[0]], [0, np.round(f * aspect, 1), centre[1]], [0, 0, 1]])
     return {"K": K, "coefficients": lens(rng), "image_size": (width, height)}

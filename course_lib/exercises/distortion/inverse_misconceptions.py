@@ -58,6 +58,42 @@ def wrong_way(points, coefficients):
     return ideal
 
 
+def restarted(points: Any, coefficients: Any, count: Any) -> Any:
+    """Return what rounds give that all start from the measured point."""
+    ideal = points
+    for _ in range(count):
+        ideal = points + (points - distortion.distort(ideal, coefficients))
+    return ideal
+
+
+def started_anew(points, coefficients):
+    return restarted(points, coefficients, 20)
+
+
+def started_anew_ten_times(points, coefficients):
+    return restarted(points, coefficients, 10)
+
+
+def started_anew_thirty_times(points, coefficients):
+    return restarted(points, coefficients, 30)
+
+
+def started_anew_hundred_times(points, coefficients):
+    return restarted(points, coefficients, 100)
+
+
+def same_miss_each_time(points, coefficients):
+    return points + 20 * (points - distortion.distort(points, coefficients))
+
+
+def same_miss_ten_times(points, coefficients):
+    return points + 10 * (points - distortion.distort(points, coefficients))
+
+
+def same_miss_thirty_times(points, coefficients):
+    return points + 30 * (points - distortion.distort(points, coefficients))
+
+
 def target_lost(points, coefficients):
     """Compare with the last guess, and no longer with the measured point."""
     ideal = points
@@ -133,6 +169,18 @@ def numbers_not_brought_down(coefficients):
 def farther_fold(coefficients):
     roots = positive_roots(derivative(coefficients))
     return float(np.sqrt(max(roots))) if roots else np.inf
+
+
+def as_an_angle(coefficients):
+    return float(np.arctan(smallest(positive_roots(derivative(coefficients)))))
+
+
+def as_degrees(coefficients):
+    return float(np.degrees(as_an_angle(coefficients)))
+
+
+def as_degrees_but_for_no_fold(coefficients):
+    return as_degrees(coefficients) if positive_roots(derivative(coefficients)) else np.inf
 
 
 def second_coefficient_left_out(coefficients):

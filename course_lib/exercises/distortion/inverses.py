@@ -29,7 +29,8 @@ UNDISTORT_POINTS = Exercise(
         ),
         Misconception(
             wrong.one_round,
-            "Near, but not there. Distort your answer: by how much does it still miss the points?",
+            "Near, but not there. One correction is not enough, nor are the coefficients with "
+            "opposite signs. Distort your answer: by how much does it still miss?",
         ),
         Misconception(
             wrong.factor_of_the_distorted,
@@ -51,6 +52,21 @@ UNDISTORT_POINTS = Exercise(
         Misconception(
             wrong.wrong_way,
             "The guess runs away. If it lands too far left, to which side should it move?",
+        ),
+        Misconception(
+            wrong.started_anew,
+            "Each round moves the last guess. What does yours move: the last guess, or the "
+            "measured point again and again?",
+            also=[
+                wrong.started_anew_ten_times,
+                wrong.started_anew_thirty_times,
+                wrong.started_anew_hundred_times,
+            ],
+        ),
+        Misconception(
+            wrong.same_miss_each_time,
+            "Does the miss get smaller from round to round? Which point do you distort in each?",
+            also=[wrong.same_miss_ten_times, wrong.same_miss_thirty_times],
         ),
         Misconception(
             wrong.target_lost,
@@ -119,6 +135,11 @@ VALID_RADIUS = Exercise(
         Misconception(
             wrong.distorted_radius,
             "This is where the fold lies in the real picture. Which distance is asked for?",
+        ),
+        Misconception(
+            wrong.as_degrees,
+            "Your answer is an angle. Is that asked for, or its tangent r?",
+            also=[wrong.as_an_angle, wrong.as_degrees_but_for_no_fold],
         ),
         Misconception(
             wrong.nan_without_fold,

@@ -195,6 +195,11 @@ def two_squared_too(points, coefficients):
     return brown(points, coefficients, own=4.0)
 
 
+def own_not_squared(points, coefficients):
+    _, _, p1, p2, _ = coefficients
+    return brown(points, coefficients, own=0.0) + 2 * points * [p2, p1]
+
+
 def bracket_forgotten(points, coefficients):
     return brown(points, coefficients, own=0.0) + 2 * points**2
 
@@ -208,6 +213,10 @@ def radial_by_powers(points: Any, coefficients: Any, powers: Any) -> Any:
 
 def square_taken_twice_again(points, coefficients):
     return radial_by_powers(points, coefficients, (4, 8, 12))
+
+
+def third_like_the_second(points, coefficients):
+    return radial_by_powers(points, coefficients, (2, 4, 4))
 
 
 def powers_as_of_the_distance(points, coefficients):

@@ -177,6 +177,14 @@ DISTORT = Exercise(
             "Python takes a power before it multiplies. Is your 2 squared too?",
         ),
         Misconception(
+            wrong.own_not_squared,
+            "In the brackets behind p1 and p2: a coordinate, or its square?",
+        ),
+        Misconception(
+            wrong.third_like_the_second,
+            "k2 has the fourth power of the distance. Which one has k3?",
+        ),
+        Misconception(
             wrong.bracket_forgotten,
             "With p1 and p2 zero, does something remain of your tangential terms? What do the "
             "brackets hold?",

@@ -32,6 +32,29 @@ def pixels_bent(K, coefficients, image_size):
     return mapped(np.eye(3), coefficients, image_size)
 
 
+def only_put_on(K, coefficients, image_size):
+    """Bend pixels as if they were tangents, and then put K on."""
+    map_u, map_v = pixels_bent(K, coefficients, image_size)
+    return map_u * K[0, 0] + K[0, 2], map_v * K[1, 1] + K[1, 2]
+
+
+def not_bent(K, coefficients, image_size):
+    return mapped(K, np.zeros(5), image_size)
+
+
+def grid_exchanged(K, coefficients, image_size):
+    """Let the grid run down the columns, and put the numbers back row by row."""
+    map_u, map_v = mapped(K, coefficients, image_size)
+    return map_u.T.reshape(map_u.shape), map_v.T.reshape(map_v.shape)
+
+
+def grid_of_exchanged_sizes(K, coefficients, image_size):
+    """Make the grid of a picture that is as wide as this one is high, in the right shape."""
+    width, height = image_size
+    map_u, map_v = size_exchanged(K, coefficients, image_size)
+    return map_u.reshape(height, width), map_v.reshape(height, width)
+
+
 def pixels_from_the_centre_bent(K, coefficients, image_size):
     only_centre = np.array([[1, 0, K[0, 2]], [0, 1, K[1, 2]], [0, 0, 1]])
     return mapped(only_centre, coefficients, image_size)
@@ -159,6 +182,14 @@ def mean_distance(points):
     return float(np.abs(across(points)).mean())
 
 
+def spread_of_y(points):
+    return float(points[:, 1].std())
+
+
+def spread_of_y_by_one_less(points):
+    return float(points[:, 1].std(ddof=1))
+
+
 def largest_distance(points):
     return float(np.abs(across(points)).max())
 
@@ -214,6 +245,10 @@ def measured_from_the_origin(points):
 
 def one_mean_for_both(points):
     return float(np.linalg.svd(points - points.mean())[1][1] / np.sqrt(len(points)))
+
+
+def divided_by_all_numbers(points):
+    return float(np.linalg.norm(across(points)) / np.sqrt(points.size))
 
 
 def divided_by_the_count(points):

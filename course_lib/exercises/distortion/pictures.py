@@ -30,10 +30,22 @@ UNDISTORTION_MAP = Exercise(
         Misconception(
             wrong.pixels_bent,
             "The lens model wants tangents. Are the pixels of a grid tangents?",
+            also=[wrong.only_put_on],
         ),
         Misconception(
             wrong.pixels_from_the_centre_bent,
             "Measured from the centre, but still in px. What else does K take off?",
+        ),
+        Misconception(
+            wrong.not_bent,
+            "Your map looks at each pixel's own place: the picture stays as it is. Where do you "
+            "distort?",
+        ),
+        Misconception(
+            wrong.grid_exchanged,
+            "`np.meshgrid` takes the columns first, then the rows. In which order does your grid "
+            "run through the pixels?",
+            also=[wrong.grid_of_exchanged_sizes],
         ),
         Misconception(
             wrong.left_as_tangents,
@@ -80,7 +92,8 @@ UNDISTORTION_MAP = Exercise(
         ),
         Misconception(
             wrong.size_exchanged,
-            "With which of the two does image_size begin: width, or height?",
+            "Print the shape of your map. Does image_size begin with the width or the height, and "
+            "does `np.meshgrid` take columns or rows first?",
         ),
         Misconception(
             wrong.left_flat,
@@ -118,6 +131,16 @@ STRAIGHTNESS = Exercise(
         Misconception(
             wrong.line_of_vertical_distances,
             "You measure across the line, but is it the one that fits best across?",
+        ),
+        Misconception(
+            wrong.spread_of_y,
+            "You measure how far the points are from their mean height. What would a slanted line "
+            "get that is perfectly straight?",
+            also=[wrong.spread_of_y_by_one_less],
+        ),
+        Misconception(
+            wrong.divided_by_all_numbers,
+            "`size` counts numbers, two for each point. How many points are there?",
         ),
         Misconception(
             wrong.mean_distance,

@@ -119,7 +119,7 @@ def valid_radius(coefficients):
     -------
     float
         The smallest positive ``r`` at which ``r (1 + k1 r² + k2 r⁴)`` stops growing: its derivative
-        is zero. ``np.inf`` if it never does.
+        is zero. ``np.inf`` if it never does. Compared to six digits.
 
     Examples
     --------
