@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Callable
 from functools import partial
 
-from benchmarks import calibration, commands, compute, corners, estimate, latency, lens
+from benchmarks import bundle, calibration, commands, compute, corners, estimate, latency, lens
 from benchmarks.table import RESULTS, Row, write_section
 
 #: Every entry is a function that returns rows. Add yours here.
@@ -14,6 +14,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     **{f"explorers-{chapter}": partial(latency.measure, chapter) for chapter in latency.EXPLORERS},
     "importing": compute.importing,
     "projecting": compute.projecting,
+    "bundling": bundle.bundling,
     "rendering": compute.rendering,
     "defocusing": compute.defocusing,
     "calibrating": calibration.calibrating,

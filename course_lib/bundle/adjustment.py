@@ -12,7 +12,7 @@ from course_lib.bundle.block import Block, Indices, Observations
 from course_lib.bundle.connections import check_block
 from course_lib.bundle.control import Control
 from course_lib.bundle.covariance import Precision, precision
-from course_lib.bundle.derivatives import Position
+from course_lib.bundle.derivatives import Image, Position
 from course_lib.bundle.gauge import free_numbers, laid_over
 from course_lib.bundle.normals import Normals, normal_equations
 from course_lib.bundle.structure import Structure
@@ -101,7 +101,12 @@ class BundleAdjustment:
         position, structure, survey, weights, gauge = self._parts
         gap = position.X - survey.places
         normals = normal_equations(
-            position, structure, np.sqrt(weights), survey.held, survey.weights, gap
+            position.image(structure.seen),
+            structure,
+            np.sqrt(weights),
+            survey.held,
+            survey.weights,
+            gap,
         )
         free = free_numbers(position, gauge is not None)
         return precision(normals, position, structure, free, gauge == "inner", self.sigma0**2)
@@ -179,7 +184,7 @@ def _adjusted(
     ended: tuple[tuple[float, ...], bool],
 ) -> BundleAdjustment:
     structure = search.structure
-    own = position.residuals(structure.seen)
+    own = position.image(structure.seen).residuals
     weights = search.scale(own) ** 2
     residuals, sorted_weights = np.empty((len(structure.seen), 2)), np.empty(len(structure.seen))
     residuals[structure.order] = (own * structure.seen.sigma).T
@@ -226,26 +231,26 @@ class _Search(NamedTuple):
         cost = float(squares.sum() + (self.survey.weights * gap * gap).sum())
         return cost if np.isfinite(cost) else np.inf
 
-    def normals(self, position: Position, residuals: Array) -> Normals:
+    def normals(self, position: Position, image: Image) -> Normals:
         """Return the normal equations at a position."""
         survey, gap = self.survey, position.X - self.survey.places
-        scale = self.scale(residuals)
-        return normal_equations(position, self.structure, scale, survey.held, survey.weights, gap)
+        scale = self.scale(image.residuals)
+        return normal_equations(image, self.structure, scale, survey.held, survey.weights, gap)
 
     def run(
         self, position: Position, steps: int, tolerance: float
     ) -> tuple[Position, tuple[float, ...], bool]:
         """Return where the cost is smallest, the costs on the way, and whether it came to rest."""
-        residuals = position.residuals(self.structure.seen)
-        costs, damping = [self.cost(residuals, position)], FIRST_DAMPING
-        normals = self.normals(position, residuals)
-        nothing = residuals.size * ROUNDING**2
+        image = position.image(self.structure.seen)
+        costs, damping = [self.cost(image.residuals, position)], FIRST_DAMPING
+        normals = self.normals(position, image)
+        nothing = image.residuals.size * ROUNDING**2
         for _ in range(steps):
             cameras, points = self.step(normals, damping)
             gain = -float((normals.g_c * cameras).sum() + (normals.g_p.T * points).sum())
             trial = position.moved(cameras, points)
-            residuals = trial.residuals(self.structure.seen)
-            cost = self.cost(residuals, trial)
+            image = trial.image(self.structure.seen)
+            cost = self.cost(image.residuals, trial)
             settled = gain <= tolerance * costs[-1] or costs[-1] <= nothing
             kept = (costs[-1] - cost) / gain if gain > 0 else -np.inf
             if cost <= costs[-1]:
@@ -254,7 +259,7 @@ class _Search(NamedTuple):
                 return position, tuple(costs), settled
             damping = max(damping * (0.1 if kept > 0.7 else 1 if kept > 0.3 else 10), LEAST_DAMPING)
             if kept > 0:
-                normals = self.normals(position, residuals)
+                normals = self.normals(position, image)
         return position, tuple(costs), False
 
     def step(self, normals: Normals, damping: float) -> tuple[Array, Array]:

@@ -112,7 +112,7 @@ def precision(
 
 def _point_blocks(rest: Eliminated, inverse: Array, structure: Structure) -> Array:
     """Return ``V⁻¹ + L⁻ᵀ Yᵀ S⁻¹ Y L⁻¹`` of each point, (n, 3, 3)."""
-    points, Y = structure.seen.points, np.ascontiguousarray(rest.Y.transpose(2, 0, 1))
+    points, Y = structure.seen.points, rest.Y
     sums = np.zeros((3, 3, structure.points)) + np.eye(3)[:, :, None]
     for i, (first, last) in enumerate(pairwise(structure.bounds)):
         own = Y[first:last]
@@ -158,7 +158,7 @@ def _solved(
     h = forward(rest.L, right.transpose(1, 2, 0).copy())  # (3, k, n)
     columns = []
     for column in h.transpose(1, 0, 2):
-        seen = np.einsum("km,kjm->jm", column[:, structure.seen.points], rest.Y)
+        seen = np.einsum("km,mkj->jm", column[:, structure.seen.points], rest.Y)
         by_camera = [seen[:, a:b].sum(axis=1) for a, b in pairwise(structure.bounds)]
         cameras = -inverse @ np.concatenate(by_camera)
         one = Eliminated(rest.S, rest.right, rest.L, rest.Y, -column)

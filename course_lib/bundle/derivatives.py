@@ -55,52 +55,67 @@ class Position:
         turns = rotations_from_vectors(cameras[:, :3])
         return Position(self.K, turns @ self.R, self.C + cameras[:, 3:], self.X + points)
 
-    def rays(self, seen: Observations) -> tuple[Array, Array, Array]:
-        """Return ``x = X/Z``, ``y = Y/Z`` and Z of all observations, each (m,); NaN behind."""
-        d = np.take(self.X, seen.points, axis=0) - np.take(self.C, seen.cameras, axis=0)
-        R = np.take(self.R.reshape(-1, 9), seen.cameras, axis=0).T
-        d0, d1, d2 = d.T.copy()
+    def image(self, seen: Observations) -> Image:
+        """Return what the cameras see of the points that were observed."""
+        X, C = np.take(self.X.T, seen.points, axis=1), np.take(self.C.T, seen.cameras, axis=1)
+        d0, d1, d2 = X - C
+        R = np.take(self.R.reshape(-1, 9).T, seen.cameras, axis=1)
+        K = np.take(self.K.reshape(-1, 9).T, seen.cameras, axis=1)
         z = R[6] * d0 + R[7] * d1 + R[8] * d2
-        depth = np.where(z > 0, z, np.nan)
-        x = (R[0] * d0 + R[1] * d1 + R[2] * d2) / depth
-        return x, (R[3] * d0 + R[4] * d1 + R[5] * d2) / depth, depth
-
-    def residuals(self, seen: Observations) -> Array:
-        """Return seen minus measured by their standard deviation, shape (2, m)."""
-        x, y, _ = self.rays(seen)
-        return self._residuals(seen, x, y)
-
-    def _residuals(self, seen: Observations, x: Array, y: Array) -> Array:
-        K = self.K.reshape(-1, 9)[seen.cameras].T
+        z[~(z > 0)] = np.nan
+        x = (R[0] * d0 + R[1] * d1 + R[2] * d2) / z
+        y = (R[3] * d0 + R[4] * d1 + R[5] * d2) / z
         u = K[0] * x + K[1] * y + K[2] - seen.pixels[:, 0]
         v = K[4] * y + K[5] - seen.pixels[:, 1]
-        return np.stack([u, v]) / seen.sigma
+        return Image(K, R, x, y, z, 1 / np.asarray(seen.sigma), np.stack([u, v]) / seen.sigma)
 
-    def derivatives(self, seen: Observations) -> tuple[Array, Array, Array]:
-        """Return derivatives of the residuals, and the residuals.
 
-        Parameters
-        ----------
-        seen : Observations
-            What was measured.
+@dataclass(frozen=True, eq=False)
+class Image:
+    """What the cameras see of the points that were observed.
+
+    Attributes
+    ----------
+    K, R : ndarray, shape (9, m)
+        Intrinsics and rotation of each observation's camera.
+    x, y, z : ndarray, shape (m,)
+        ``X/Z``, ``Y/Z`` and Z in the camera's frame; NaN behind it.
+    precision : ndarray, shape (m,)
+        ``1 / σ``, 1/px.
+    residuals : ndarray, shape (2, m)
+        Seen minus measured, by their standard deviation.
+    """
+
+    K: Array
+    R: Array
+    x: Array
+    y: Array
+    z: Array
+    precision: Array
+    residuals: Array
+
+    def derivatives(self, scale: Array) -> tuple[Array, Array]:
+        """Return the derivatives of the residuals, each observation's times a scale, (m,).
 
         Returns
         -------
-        turns, moves, residuals : ndarray, shape (2, 3, m), (2, 3, m) and (2, m)
+        turns, moves : ndarray, shape (2, 3, m)
             By the turn of the camera; by the move of the point (by that of the centre: negative).
         """
-        x, y, z = self.rays(seen)
-        k = self.K.reshape(-1, 9)[seen.cameras].T / seen.sigma
-        fx, s, fy = k[0], k[1], k[4]
-        along = fx * x + s * y
-        turns = np.empty((2, 3, len(x)))
-        turns[0] = -s - along * y, fx + along * x, s * x - fx * y
-        turns[1] = -fy - fy * y * y, fy * x * y, fy * x
-        R = np.take(self.R.reshape(-1, 9), seen.cameras, axis=0).T.reshape(3, 3, -1)
-        moves = np.empty((2, 3, len(x)))
-        moves[0] = (fx / z) * R[0] + (s / z) * R[1] - (along / z) * R[2]
-        moves[1] = (fy / z) * R[1] - (fy * y / z) * R[2]
-        return turns, moves, self._residuals(seen, x, y)
+        x, y, weight = self.x, self.y, self.precision * scale
+        fx, s, fy = self.K[0] * weight, self.K[1] * weight, self.K[4] * weight
+        along, down = fx * x + s * y, fy * y
+        turns, moves = np.empty((2, 3, len(x))), np.empty((2, 3, len(x)))
+        turns[0, 0], turns[0, 1], turns[0, 2] = -s - along * y, fx + along * x, s * x - fx * y
+        turns[1, 0], turns[1, 1], turns[1, 2] = -fy - down * y, down * x, fy * x
+        R, near = self.R.reshape(3, 3, -1), 1 / self.z
+        np.multiply(fx * near, R[0], out=moves[0])
+        if s.any():
+            moves[0] += (s * near) * R[1]
+        moves[0] -= (along * near) * R[2]
+        np.multiply(fy * near, R[1], out=moves[1])
+        moves[1] -= (down * near) * R[2]
+        return turns, moves
 
 
 def reprojection_jacobian(
@@ -148,7 +163,7 @@ def reprojection_jacobian(
     X = check_points(check_vector(point, 3, "point"), 3, "point")
     one = Position(K[None], R[None], (-R.T @ t)[None], X[None])
     seen = Observations(np.array([0]), np.array([0]), np.zeros((1, 2)))
-    turns, moves, _ = one.derivatives(seen)
+    turns, moves = one.image(seen).derivatives(np.ones(1))
     if not np.isfinite(moves).all():
         raise DegenerateConfigurationError(
             "the point is not in front of the camera: it has no image that could change"

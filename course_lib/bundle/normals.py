@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.bundle.block import Indices
-from course_lib.bundle.derivatives import Position
+from course_lib.bundle.derivatives import Image
 from course_lib.bundle.structure import Structure
 from course_lib.checks import Array, DegenerateConfigurationError, check_numbers
 
@@ -52,21 +52,22 @@ class Normals:
         """Return the equations of the cameras alone, damped as Marquardt does."""
         L = _cholesky(self.V, damping)
         h = forward(L, self.g_p)
-        Y = forward(L[:, structure.seen.points], self.W)
+        Y = forward(np.take(L, structure.seen.points, axis=1), self.W)
         rows = np.ascontiguousarray(Y.transpose(2, 0, 1))  # (m, 3, 6)
-        known = np.einsum("km,kjm->jm", h[:, structure.seen.points], Y)
+        known = np.take(h.T, structure.seen.points, axis=0)
         v = structure.cameras
-        S, right = np.zeros((v, 6, v, 6)), -self.g_c.copy()
+        S, right = np.zeros((v, 6, v, 6)), -self.g_c
         diagonal = damping * self.U * np.eye(6)
         for i, (first, last) in enumerate(pairwise(structure.bounds)):
             own = rows[first:last].reshape(-1, 6)
             S[i, :, i] = self.U[i] + diagonal[i] - own.T @ own
-            right[i] += known[:, first:last].sum(axis=1)
-        left, other = rows[structure.left], rows[structure.right]
+            right[i] += known[first:last].ravel() @ own
+        left = np.take(rows, structure.left, axis=0).reshape(-1, 6)
+        other = np.take(rows, structure.right, axis=0).reshape(-1, 6)
         for i, j, first, last in structure.pairs:
-            block = left[first:last].reshape(-1, 6).T @ other[first:last].reshape(-1, 6)
+            block = left[3 * first : 3 * last].T @ other[3 * first : 3 * last]
             S[i, :, j], S[j, :, i] = -block, -block.T
-        return Eliminated(S.reshape(6 * v, 6 * v), right.ravel(), L, Y, h)
+        return Eliminated(S.reshape(6 * v, 6 * v), right.ravel(), L, rows, h)
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +80,7 @@ class Eliminated:
         Schur complement and right-hand side.
     L : ndarray, shape (6, n)
         Cholesky factors of the points' blocks.
-    Y : ndarray, shape (3, 6, m)
+    Y : ndarray, shape (m, 3, 6)
         ``L⁻¹ Wᵀ`` of each observation.
     h : ndarray, shape (3, n)
         ``L⁻¹ g_p``.
@@ -99,20 +100,21 @@ class Eliminated:
 
     def followed(self, structure: Structure, cameras: Array) -> Array:
         """Return the steps of the points, (n, 3), for those of the cameras, (v, 6)."""
-        steps = cameras[structure.seen.cameras].T
-        moved = structure.by_point(np.einsum("kjm,jm->km", self.Y, steps))
-        return np.asarray(-backward(self.L, self.h + moved).T)
+        moved = np.empty((len(structure.seen), 3))
+        for i, (first, last) in enumerate(pairwise(structure.bounds)):
+            moved[first:last] = (self.Y[first:last].reshape(-1, 6) @ cameras[i]).reshape(-1, 3)
+        return np.asarray(-backward(self.L, self.h + structure.by_point(moved.T)).T)
 
 
 def normal_equations(
-    position: Position, structure: Structure, scale: Array, held: Array, weights: Array, gap: Array
+    image: Image, structure: Structure, scale: Array, held: Array, weights: Array, gap: Array
 ) -> Normals:
     """Return the normal equations at a position.
 
     Parameters
     ----------
-    position : Position
-        Cameras and points.
+    image : Image
+        What the cameras see of the points.
     structure : Structure
         What was seen.
     scale : ndarray, shape (m,)
@@ -127,25 +129,27 @@ def normal_equations(
     Normals
         The blocks.
     """
-    turns, moves, residuals = position.derivatives(structure.seen)
-    turns *= scale
-    residuals = residuals * scale
-    inner = -(moves * scale)  # by the centre
-    rows = np.concatenate([turns, inner, residuals[:, None]], axis=1).transpose(2, 0, 1)
-    rows = np.ascontiguousarray(rows).reshape(-1, 7)
-    products = np.stack(
-        [rows[2 * a : 2 * b].T @ rows[2 * a : 2 * b] for a, b in pairwise(structure.bounds)]
-    )
-    if held.any():
-        moves = moves * (1 - held[structure.seen.points].T)
-    moves = moves * scale
+    turns, moves = image.derivatives(scale)
+    residuals = image.residuals * scale
+    rows = np.empty((len(scale), 2, 7))
+    rows[:, :, :3], rows[:, :, 3:6] = turns.transpose(2, 0, 1), -moves.transpose(2, 0, 1)
+    rows[:, :, 6] = residuals.T
+    parts = [rows[a:b].reshape(-1, 7) for a, b in pairwise(structure.bounds)]
+    products = np.stack([part.T @ part for part in parts])
     W = np.empty((3, 6, len(scale)))
-    W[:, :3] = moves[0][:, None] * turns[0] + moves[1][:, None] * turns[1]
-    W[:, 3:] = moves[0][:, None] * inner[0] + moves[1][:, None] * inner[1]
-    squares = np.stack([moves[0, i] * moves[0, j] + moves[1, i] * moves[1, j] for i, j in LOWER])
-    V = structure.by_point(squares)
-    V[[0, 2, 5]] += (weights + held).T
+    W[:, :3] = moves[0][:, None] * turns[0]
+    W[:, :3] += moves[1][:, None] * turns[1]
+    for i, j in LOWER:
+        np.negative(moves[0, i] * moves[0, j] + moves[1, i] * moves[1, j], out=W[i, 3 + j])
+        W[j, 3 + i] = W[i, 3 + j]
+    V = -structure.by_point(np.stack([W[i, 3 + j] for i, j in LOWER]))
     g_p = structure.by_point(moves[0] * residuals[0] + moves[1] * residuals[1])
+    if held.any():  # what is held has no derivatives
+        free = 1 - held.T
+        V *= np.stack([free[i] * free[j] for i, j in LOWER])
+        g_p *= free
+        W *= free[:, None, structure.seen.points]
+    V[[0, 2, 5]] += (weights + held).T
     return Normals(products[:, :6, :6], products[:, :6, 6], V, g_p + (weights * gap).T, W)
 
 
