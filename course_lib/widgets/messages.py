@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib.drawing.explorers.frame import Frame, Picture
+from course_lib.drawing.explorers.marks import Marks
 
 JPEG_QUALITY = 90
 
@@ -92,6 +93,7 @@ def _encode_picture(picture: Picture, image: int | str | None, numbers: _Numbers
         "lines": [vars(line) | {"points": numbers.add(line.points)} for line in picture.lines],
         "labels": [vars(label) for label in picture.labels],
         "handles": [vars(handle) for handle in picture.handles],
+        "marks": picture.marks and _encode_marks(picture.marks, numbers),
         "probes": [
             vars(probe)
             | {
@@ -101,6 +103,15 @@ def _encode_picture(picture: Picture, image: int | str | None, numbers: _Numbers
             }
             for probe in picture.probes
         ],
+    }
+
+
+def _encode_marks(marks: Marks, numbers: _Numbers) -> dict[str, Any]:
+    """Encode points that say what they are."""
+    return vars(marks) | {
+        "points": numbers.add(marks.points),
+        "values": numbers.add(marks.values),
+        "gaps": ["" if unit in ("", "°") else " " for unit in marks.units],
     }
 
 

@@ -67,7 +67,7 @@ function figure(dragged) {
     point(pointer);
   }
 
-  const readable = () => picture.pixels || picture.probes.length > 0;
+  const readable = () => picture.pixels || picture.probes.length > 0 || Boolean(picture.marks);
 
   function point(at) {
     pointer = at;
@@ -90,6 +90,11 @@ function figure(dragged) {
     for (const probe of picture.probes) {
       const value = interpolate(probe, floats, u / (w - 1), v / (h - 1));
       if (Number.isFinite(value)) texts.push(`${probe.label} ${value.toFixed(probe.digits)}${probe.gap}${probe.unit}`);
+    }
+    const near = picture.marks ? nearest(picture.marks, floats, u, v) : -1;
+    if (near >= 0) {
+      ring(context, picture.marks, floats, near, style, w / width);
+      texts.push(...said(picture.marks, floats, near));
     }
     rewrite(reading, texts.join("  ·  "));
   }
@@ -114,10 +119,14 @@ function figure(dragged) {
   }
 
   canvas.addEventListener("pointerdown", (event) => {
-    if (!picture?.handles.length || (held = gripped(event)) < 0) return;
+    if (!picture?.handles.length) return;
+    held = gripped(event);
+    if (held < 0 && picture.marks) held = 0; // a press beside it calls the spot there
+    if (held < 0) return;
     event.preventDefault();
     canvas.setPointerCapture(event.pointerId);
     box.classList.add("ce-held");
+    if (picture.marks) drag(event);
   });
   function release() {
     if (held < 0) return;
@@ -248,6 +257,30 @@ function lettered(text, font, fillStyle, strokeStyle) {
   context.strokeText(text, margin, canvas.height / 2);
   context.fillText(text, margin, canvas.height / 2);
   return { canvas, margin };
+}
+
+function nearest({ points }, floats, u, v) {
+  let best = -1, least = Infinity;
+  for (let i = 0; i < points.count; i += 2) {
+    const far = (floats[points.start + i] - u) ** 2 + (floats[points.start + i + 1] - v) ** 2;
+    if (far < least) [best, least] = [i / 2, far]; // never a point that is NaN
+  }
+  return best;
+}
+
+function ring(context, { points }, floats, index, { ink }, pixel) {
+  const at = points.start + 2 * index;
+  for (const [lineWidth, strokeStyle] of [[5, ink("paper")], [2, ink("camera")]]) {
+    Object.assign(context, { lineWidth: lineWidth * pixel, strokeStyle });
+    context.beginPath();
+    context.arc(floats[at], floats[at + 1], 8 * pixel, 0, 7);
+    context.stroke();
+  }
+}
+
+function said({ values, names, units, digits, gaps }, floats, index) {
+  const own = values.start + index * names.length;
+  return names.map((name, i) => `${name} ${floats[own + i].toFixed(digits[i])}${gaps[i]}${units[i]}`);
 }
 
 function interpolate(probe, floats, x, y) {

@@ -125,7 +125,7 @@ def test_nothing_is_known_without_views():
     assert np.isinf(list(poses.sigmas([False] * 8).values())).all()
     frame = poses.poses_frame(0.1)
     assert [r.value for r in frame.readouts[1:]] == ["not determined"] * 4
-    assert "none" in frame.pictures[0].alt
+    assert "none" in frame.pictures[1].alt
 
 
 def test_the_error_of_a_corner_scales_all():
@@ -137,18 +137,18 @@ def test_the_error_of_a_corner_scales_all():
 
 def test_every_board_is_in_the_picture():
     frame = poses.poses_frame(0.1, **{f"view{n}": True for n in range(1, 9)})
-    outlines = by_role(frame.pictures[1], "object")
+    outlines = by_role(frame.pictures[2], "object")
     assert len(outlines) == 8
     inside = np.concatenate(outlines)
     assert (inside > 0).all()
     assert (inside < np.array(poses.SEEN_SIZE) - 1).all()
-    assert len(by_role(frame.pictures[0], "object")) == 8
+    assert len(by_role(frame.pictures[1], "object")) == 8
 
 
 def test_bars_end_at_their_values():
     state = {f"view{n}": True for n in (1, 4, 5)}
     frame = poses.poses_frame(0.1, **state)
-    bars = by_role(frame.pictures[2], "camera")
+    bars = by_role(frame.pictures[0], "camera")
     assert len(bars) == 4
     for bar, (name, (_, factor)) in zip(bars, poses.BARS.items(), strict=True):
         sigma = 0.1 * factor * poses.sigmas([f"view{n}" in state for n in range(1, 9)])[name]
@@ -203,6 +203,24 @@ def test_a_dragged_spot_goes_where_the_pointer_is(way):
     after = inspector.reprojection_frame(way, **moved).pictures[0].handles[0]
     np.testing.assert_allclose(after.at, target, atol=1e-6)
     assert moved["du"] > 0 > moved["dv"]  # v grows downwards
+
+
+def test_every_residual_says_where_it_comes_from(way):
+    seen, plot = inspector.inspected(way), inspector._plot(way)
+    cloud, photograph, _ = inspector.reprojection_frame(way, *seen.residuals[5, 7]).pictures
+    number = 5 * 54 + 7
+    assert cloud.marks.names == ("view", "corner", "du", "dv", "residual")
+    np.testing.assert_allclose(
+        cloud.marks.values[number],
+        [5, 7, *seen.residuals[5, 7], np.linalg.norm(seen.residuals[5, 7])],
+    )
+    np.testing.assert_allclose(
+        cloud.marks.points[number], plot.pixels(*seen.residuals[5, 7])[0], equal_nan=True
+    )
+    np.testing.assert_array_equal(photograph.marks.values, cloud.marks.values[5 * 54 : 6 * 54])
+    scale = inspector.SHOWN_SIZE[0] / made.SIZE[0]
+    at = (photograph.marks.points + 0.5) / scale - 0.5
+    np.testing.assert_allclose(at, seen.pixels[5])
 
 
 def test_a_larger_window_finds_worse_corners():

@@ -14,6 +14,7 @@ from course_lib.drawing.explorers.frame import (
     Readout,
     matrix,
 )
+from course_lib.drawing.explorers.marks import Marks
 from course_lib.widgets.messages import encode_frame, i420, jpeg
 
 GRADIENT = np.stack(np.broadcast_arrays(np.arange(60)[None], np.arange(40)[:, None], 200), axis=2)
@@ -47,6 +48,25 @@ def test_handles_arrive_with_what_they_move():
     moves = [["x", 1.5, 0.5, 0], ["y", 2, 0, -0.25]]
     assert first["handles"] == [{"at": [12, 8], "moves": moves, "role": "camera"}]
     assert second["handles"] == []
+
+
+def test_marks_arrive_with_what_they_say():
+    places, values = np.array([[3.0, 4], [np.nan, 1]]), np.array([[1, 0.25], [2, 0.5]])
+    marks = Marks(places, values, ("view", "turn"), ("", "px"), (0, 2))
+    message, buffers = encode_frame(Frame((Picture("Marked", "", (60, 40), marks=marks), SKETCH)))
+    first, second = json.loads(json.dumps(message))["pictures"]
+    assert second["marks"] is None
+    said = first["marks"]
+    np.testing.assert_array_equal(numbers(message, buffers, said["points"]), places.ravel())
+    np.testing.assert_array_equal(numbers(message, buffers, said["values"]), values.ravel())
+    assert (said["names"], said["units"], said["digits"]) == (["view", "turn"], ["", "px"], [0, 2])
+    assert said["gaps"] == ["", " "]
+
+
+@pytest.mark.parametrize("values", [np.zeros((2, 1)), np.zeros((3, 2))])
+def test_marks_want_numbers_for_every_name(values):
+    with pytest.raises(ValueError, match=r"2 points and 2 names want values of shape \(2, 2\)"):
+        Marks(np.zeros((2, 2)), values, ("a", "b"), ("", ""), (0, 0))
 
 
 def test_a_photograph_arrives_as_jpeg_in_the_right_colours():

@@ -1,7 +1,6 @@
 """What an explorer shows for one state: pictures, numbers and their alternatives in words.
 
-A frame is plain data. The browser draws it while a slider moves; :func:`still` draws the same
-frame with Matplotlib for readers without a kernel.
+A frame is plain data that the browser draws; :func:`still` draws it for readers without a kernel.
 """
 
 from __future__ import annotations
@@ -14,13 +13,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib.drawing import style
+from course_lib.drawing.explorers.marks import Marks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.patheffects import AbstractPathEffect
 
 Floats = NDArray[np.float64]
-
 ANCHORS = {"start": "left", "middle": "center", "end": "right"}
 
 
@@ -90,9 +89,8 @@ class Handle:
     at : tuple of float
         Where it is, px of its picture.
     moves : tuple of (str, float, float, float)
-        For each control that it moves: its name and a, b, c. Dragged to the pixel (u, v), the
-        spot sets the control to ``a + b u + c v``. A spot that no b, or no c, concerns stays in
-        its column, or in its row.
+        Name, a, b and c of each control that it sets to ``a + b u + c v`` when it is dragged to
+        the pixel (u, v). One that no b, or no c, concerns stays in its column, or in its row.
     role : str
         As of a line.
     """
@@ -121,7 +119,9 @@ class Picture:
     pixels : bool
         Whether the pointer also reads (u, v).
     handles : tuple of Handle
-        Spots that can be dragged.
+        Spots that can be dragged; with marks, a press anywhere takes the first one.
+    marks : Marks, optional
+        Points that say what they are.
     """
 
     title: str
@@ -133,6 +133,7 @@ class Picture:
     probes: tuple[Probe, ...] = ()
     pixels: bool = False
     handles: tuple[Handle, ...] = ()
+    marks: Marks | None = None
 
     def __post_init__(self) -> None:
         image, shape = self.image, (self.size[1], self.size[0], 3)

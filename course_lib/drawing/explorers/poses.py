@@ -58,7 +58,7 @@ def poses_frame(noise: float, **switched: bool) -> Frame:
     Returns
     -------
     Frame
-        The boards in space and in the picture, and the standard deviations of the camera.
+        Standard deviations of the camera, and the boards in space and in the picture.
     """
     chosen = [bool(switched.get(f"view{n}")) for n in range(1, len(VIEWS) + 1)]
     sigma = {name: noise * value for name, value in sigmas(chosen).items()}
@@ -67,7 +67,7 @@ def poses_frame(noise: float, **switched: bool) -> Frame:
         value = sigma[name]
         text = f"± {factor * value:.2g}" if np.isfinite(value) else "not determined"
         readouts.append(Readout(name, "", text, unit if np.isfinite(value) else ""))
-    return Frame((_room(chosen), _seen(chosen), _bars(sigma, noise)), tuple(readouts))
+    return Frame((_bars(sigma, noise), _room(chosen), _seen(chosen)), tuple(readouts))
 
 
 def sigmas(chosen: list[bool]) -> dict[str, float]:

@@ -19,6 +19,7 @@ from course_lib.drawing.calibration.photographs import (
     opencv_corners,
 )
 from course_lib.drawing.explorers.frame import Frame, Handle, Label, Line, Picture, Readout
+from course_lib.drawing.explorers.marks import Marks
 from course_lib.drawing.explorers.plot import Plot, disc
 
 Floats = NDArray[np.float64]
@@ -152,7 +153,28 @@ def _cloud(
         lines=lines,
         labels=(*plot.ticks((-tick, 0, tick), (-tick, 0, tick)), *plot.names("du (px)", "dv (px)")),
         handles=(_pointer(plot, reach, at),),
+        marks=_every_mark(way),
     )
+
+
+NAMES = ("view", "corner", "du", "dv", "residual")
+UNITS, DIGITS = ("", "", "px", "px", "px"), (0, 0, 2, 2, 2)
+
+
+@cache
+def _every_mark(way: str) -> Marks:
+    """Return all residuals as points of the plot that say where they come from."""
+    residuals = inspected(way).residuals
+    places = _plot(way).pixels(*residuals.reshape(-1, 2).T)
+    said = [_numbers(view, left) for view, left in enumerate(residuals)]
+    return Marks(places, np.vstack(said), NAMES, UNITS, DIGITS)
+
+
+def _numbers(view: int, residuals: Floats) -> Floats:
+    """Return view, corner, du, dv and length of the residuals of a view, (N, 5)."""
+    count = len(residuals)
+    lengths = np.linalg.norm(residuals, axis=1)
+    return np.column_stack([np.full(count, view), np.arange(count), residuals, lengths])
 
 
 def _pointer(plot: Plot, reach: float, at: tuple[float, float]) -> Handle:
@@ -193,6 +215,7 @@ def _photograph(way: str, seen: Inspected, view: int, corner: int) -> Picture:
             Line(arrows, "object", 1.5),
             Line(disc(at[corner], 9), "camera", 2.5, closed=True),
         ),
+        marks=Marks(at, _numbers(view, seen.residuals[view]), NAMES, UNITS, DIGITS),
     )
 
 
