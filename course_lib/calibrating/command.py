@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
@@ -17,6 +18,8 @@ EXAMPLE = """examples:
   course board board.pdf --board 9x6 --square 25      print this at 100 %, glue it on something flat
   course calibrate photos/ --board 9x6 --square 25    a folder with 10 to 30 photographs of it
   course calibrate IMG_*.JPG --board 10x8 --square 25 --kind dots --diameter 15
+
+The exit code is 0 if all is well, 1 if there is something to do, 2 if there is no camera to tell.
 
 Take the photographs with one camera whose zoom and focus stay as they are. Hold the board tilted
 by 20 to 45 degrees, each time another way, near and far, and into every corner of the picture.
@@ -65,12 +68,18 @@ def add_board_command(commands: Any) -> None:
     command.set_defaults(run=_board)
 
 
+def say(text: str) -> None:
+    """Print a line at once; a terminal that lacks a character shows a question mark for it."""
+    encoding = sys.stdout.encoding or "utf-8"
+    print(text.encode(encoding, "replace").decode(encoding), flush=True)
+
+
 def _board(options: argparse.Namespace) -> int:
     from data_generators.printable import save_board
 
     board = board_of(options)
     save_board(options.file, board, options.page)
-    print(f"Wrote {options.file}: {board.name}. Print it at 100 % and measure its bar.")
+    say(f"Wrote {options.file}: {board.name}. Print it at 100 % and measure its bar.")
     return 0
 
 
@@ -86,16 +95,16 @@ def _calibrate(options: argparse.Namespace) -> int:
     names = tuple(name for name in options.coefficients.replace(" ", "").split(",") if name)
     model = CameraModel(coefficients=names)
     paths = find_photos(options.photos)
-    print(f"Looking for {board.name} in {len(paths)} photographs:", flush=True)
-    photos = look_at_photos(paths, board, lambda line: print(line, flush=True))
+    say(f"Looking for {board.name} in {len(paths)} photographs:")
+    photos = look_at_photos(paths, board, say)
     _check_enough(photos)
     solved = solve(photos, board, model)
     judgement = judge(solved)
     files = write_report(options.output, solved, judgement)
-    print()
+    say("")
     for statement in judgement.statements:
-        print(f"{statement.sign} {statement.text}")
-    print("\nWrote " + ", ".join(str(file) for file in files))
+        say(f"{statement.sign} {statement.text}")
+    say("\nWrote " + ", ".join(str(file) for file in files))
     return 0 if judgement.fine else 1
 
 

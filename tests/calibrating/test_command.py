@@ -1,4 +1,6 @@
 import html.parser
+import io
+import sys
 
 import numpy as np
 import pytest
@@ -103,6 +105,14 @@ class TestCalibrate:
         with pytest.raises(SystemExit):
             main(["calibrate", "x", "--board", "nine by six", "--square", "30"])
         assert "write it like 9x6" in capsys.readouterr().err
+
+
+def test_a_terminal_that_lacks_characters(tmp_path, monkeypatch):
+    old = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
+    monkeypatch.setattr(sys, "stdout", old)
+    assert main(["board", str(tmp_path / "b.pdf"), "--board", "9x6", "--square", "25"]) == 0
+    old.seek(0)
+    assert "9 ? 6 corners" in old.read()
 
 
 class TestBoard:
