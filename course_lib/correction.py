@@ -24,7 +24,7 @@ def correction_table(
     """Return the mean residual in each cell of a grid over the picture.
 
     The grid's cells are equally large. Together they fill the picture, from its edge at -0.5 px to
-    its edge at width - 0.5 (or height - 0.5).
+    its edge at width - 0.5 (or height - 0.5). A pixel on the last edge belongs to the last cell.
 
     Parameters
     ----------
@@ -55,7 +55,8 @@ def correction_table(
 
     Examples
     --------
-    >>> table = correction_table([[0, 0], [9, 9]], [[1, 2], [3, 4]], (10, 10), (2, 2))
+    >>> pixels, residuals = np.array([[0, 0], [9, 9]]), np.array([[1, 2], [3, 4]])
+    >>> table = correction_table(pixels, residuals, (10, 10), (2, 2))
     >>> table[..., 0]  # the residuals of u
     array([[1., 0.],
            [0., 3.]])

@@ -199,7 +199,8 @@ def apply_homography(points: ArrayLike, H: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> apply_homography([1, 2], [[1, 0, 10], [0, 1, 20], [0, 0, 1]])
+    >>> H = np.array([[1, 0, 10], [0, 1, 20], [0, 0, 1]])
+    >>> apply_homography(np.array([1, 2]), H)
     array([11., 22.])
     """
     points = check_points(points, 2, "points")

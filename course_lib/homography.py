@@ -61,7 +61,7 @@ def normalise_points(points: ArrayLike) -> tuple[Array, Array]:
 
     Examples
     --------
-    >>> normalised, T = normalise_points([[0, 0], [4, 0], [4, 4], [0, 4]])
+    >>> normalised, T = normalise_points(np.array([[0, 0], [4, 0], [4, 4], [0, 4]]))
     >>> T
     array([[ 0.5,  0. , -1. ],
            [ 0. ,  0.5, -1. ],
@@ -109,8 +109,8 @@ def homography_dlt(points: ArrayLike, targets: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> square = [[0, 0], [1, 0], [1, 1], [0, 1]]
-    >>> homography_dlt(square, [[0, 0], [2, 0], [2, 3], [0, 3]]).round(9) + 0.0
+    >>> square = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    >>> homography_dlt(square, square * [2, 3]).round(9) + 0.0
     array([[2., 0., 0.],
            [0., 3., 0.],
            [0., 0., 1.]])

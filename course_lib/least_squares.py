@@ -70,9 +70,10 @@ def solve_one_unknown(a: ArrayLike, b: ArrayLike) -> float:
 
     Examples
     --------
-    >>> solve_one_unknown([2, 3, 4], [2, 3, 4])
+    >>> solve_one_unknown(np.array([2, 3, 4]), np.array([2, 3, 4]))
     1.0
-    >>> solve_one_unknown([1, 1], [10, 20])  # two measurements of one length: their mean
+    >>> twice = np.array([10, 20])  # two measurements of one length: x is their mean
+    >>> solve_one_unknown(np.array([1, 1]), twice)
     15.0
     """
     a, b = check_number_pairs(a, b, ("a", "b"))
@@ -107,7 +108,7 @@ def fit_line(x: ArrayLike, y: ArrayLike) -> tuple[float, float]:
 
     Examples
     --------
-    >>> slope, intercept = fit_line([0, 1, 2], [1, 3, 5])
+    >>> slope, intercept = fit_line(np.array([0, 1, 2]), np.array([1, 3, 5]))
     >>> round(slope, 9), round(intercept, 9)
     (2.0, 1.0)
     """
@@ -150,7 +151,9 @@ def fit_affine(points: ArrayLike, targets: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> fit_affine([[0, 0], [1, 0], [0, 1]], [[10, 20], [12, 20], [10, 23]]).round(9) + 0.0
+    >>> points = np.array([[0, 0], [1, 0], [0, 1]])
+    >>> targets = np.array([[10, 20], [12, 20], [10, 23]])
+    >>> fit_affine(points, targets).round(9) + 0.0
     array([[ 2.,  0., 10.],
            [ 0.,  3., 20.]])
     """

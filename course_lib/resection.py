@@ -69,13 +69,13 @@ def camera_dlt(points: ArrayLike, pixels: ArrayLike) -> Array:
     points : array_like, shape (N, 3)
         N ≥ 6 points ``(X, Y, Z)`` of the world in rows, not all in one plane.
     pixels : array_like, shape (N, 2)
-        Where the camera sees them, ``(u, v)``. If the pixels have no errors, the answer is the same
-        with and without normalising.
+        Where the camera sees them, ``(u, v)``, with errors: normalise points and pixels first.
 
     Returns
     -------
     ndarray, shape (3, 4)
-        The camera matrix P. Its scale means nothing; here the third row is the depth.
+        The camera matrix P. Its scale means nothing: any multiple is as good. (Here the third row
+        gives the depth.)
 
     Raises
     ------
@@ -92,7 +92,7 @@ def camera_dlt(points: ArrayLike, pixels: ArrayLike) -> Array:
     --------
     >>> from course_lib.camera import camera_matrix, project
     >>> P = camera_matrix(np.diag([800, 800, 1]), np.eye(3), [0, 0, 5])
-    >>> cube = [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    >>> cube = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
     >>> camera_dlt(cube, project(cube, P)).round(6) + 0.0
     array([[800.,   0.,   0.,   0.],
            [  0., 800.,   0.,   0.],

@@ -1,17 +1,13 @@
 """Chapter 06: the exercises on least squares, homographies and the camera's DLT."""
 
-from course_lib.exercises.estimation.cameras import (
-    CAMERA_DLT,
-    CORRECTION_TABLE,
-    DECOMPOSE_PROJECTION,
-    EXPLAIN_RESIDUALS,
-)
+from course_lib.exercises.estimation.cameras import CAMERA_DLT, DECOMPOSE_PROJECTION
 from course_lib.exercises.estimation.fits import FIT_AFFINE, FIT_LINE, SOLVE_ONE_UNKNOWN
 from course_lib.exercises.estimation.planes import (
     APPLY_HOMOGRAPHY,
     HOMOGRAPHY_DLT,
     NORMALISE_POINTS,
 )
+from course_lib.exercises.estimation.tables import CORRECTION_TABLE, EXPLAIN_RESIDUALS
 
 #: In the order of the lesson.
 EXERCISES = (

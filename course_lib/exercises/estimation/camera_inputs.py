@@ -61,6 +61,14 @@ def points_in_millimetres(rng: Generator) -> Known:
     return resection(rng, 9, 40)
 
 
+def pixels_with_errors(rng: Generator) -> dict[str, Any]:
+    """Measure twelve points some pixels off: then it matters in which unit A is made."""
+    inputs = resection(rng, 12, 40).inputs
+    errors = rng.normal(size=(12, 2))
+    pixels = inputs["pixels"] + 2 * errors / np.sqrt(np.mean(errors**2))
+    return {"points": inputs["points"].round(2), "pixels": pixels.round(1)}
+
+
 # --- decompose_projection ---------------------------------------------------------------------
 
 
@@ -71,7 +79,17 @@ def camera_in_parts(rng: Generator, factor: float) -> Known:
 
 
 def as_it_was_put_together(rng: Generator) -> Known:
-    return camera_in_parts(rng, 1)
+    """Choose one whose parts come with signs to mend, by QR of the inverse as by RQ.
+
+    QR makes the last number of K negative, which must not get lost when K is divided by it.
+    """
+    from scipy.linalg import rq
+
+    while True:
+        known = camera_in_parts(rng, 1)
+        M = known.inputs["P"][:, :3]
+        if np.linalg.qr(np.linalg.inv(M))[1][2, 2] < 0 and min(np.diag(rq(M)[0])) < 0:
+            return known
 
 
 def any_multiple(rng: Generator) -> Known:
@@ -126,6 +144,15 @@ def some_cells_empty(rng: Generator) -> Known:
     empty = rng.permutation(counts.size)[:2]
     counts.flat[empty] = 0
     return filled(rng, shape, counts, well_inside)
+
+
+def on_the_last_edge(rng: Generator) -> Known:
+    """Move one pixel of the last cell to the corner of the picture."""
+    known = every_cell_seen(rng)
+    end = np.array(known.inputs["image_size"]) - 0.5
+    pixels = known.inputs["pixels"]
+    pixels[np.argmin(np.linalg.norm(pixels - end, axis=1))] = end
+    return known
 
 
 def at_the_edges(rng: Generator, count: int) -> Floats:

@@ -1,12 +1,12 @@
-"""Exercises of chapter 06 on camera matrices and correction tables."""
+"""Exercises of chapter 06 on camera matrices."""
 
 from __future__ import annotations
 
 from course_lib import resection
 from course_lib.exercises.estimation import camera_inputs as inputs
 from course_lib.exercises.estimation import misconceptions_cameras as wrong
-from course_lib.exercises.estimation import misconceptions_tables as wrong_table
-from course_lib.judging import Exercise, Explain, Misconception, Part, UpToScale
+from course_lib.exercises.estimation import misconceptions_parts as wrong_parts
+from course_lib.judging import Exercise, Misconception, Part, UpToScale
 
 CAMERA_DLT = Exercise(
     "estimation",
@@ -14,11 +14,29 @@ CAMERA_DLT = Exercise(
     points=8,
     parts={
         "six points": Part(inputs.six_points, cases=1, weight=3),
-        "more points than needed": Part(inputs.twelve_points, cases=1, weight=3),
-        "points in millimetres": Part(inputs.points_in_millimetres, cases=1, weight=2),
+        "more points than needed": Part(inputs.twelve_points, cases=1, weight=2),
+        "points in millimetres": Part(inputs.points_in_millimetres, cases=1, weight=1),
+        "pixels with errors": Part(inputs.pixels_with_errors, cases=1, weight=2),
     },
     compare=UpToScale(tolerance=1e-9),  # the last row is thousands of times smaller
     misconceptions=[
+        Misconception(
+            wrong.numbers_as_they_come,
+            "Right for exact pixels. With errors it matters which numbers stand in A: points and "
+            "pixels, or what normalise_points makes of them?",
+            also=[wrong.last_number_is_one, wrong.only_the_pixels_normalised],
+        ),
+        Misconception(
+            wrong.rows_of_the_numbers_as_they_come,
+            "You undo a normalising at the end. Are the numbers in your A normalised ones?",
+            also=[wrong.rows_of_the_points_as_they_come, wrong.rows_of_the_pixels_as_they_come],
+        ),
+        Misconception(
+            wrong.one_not_appended,
+            "Your A has nine columns, and p must have twelve numbers. What has each point of space "
+            "at its end before it meets P?",
+            also=[wrong.one_not_appended_for_nine],
+        ),
         Misconception(
             wrong.camera_of_normalised_points,
             "Your P takes normalised points to normalised pixels. How do you get in and out?",
@@ -84,190 +102,93 @@ DECOMPOSE_PROJECTION = Exercise(
     },
     misconceptions=[
         Misconception(
-            wrong.signs_as_they_come,
+            wrong_parts.signs_as_they_come,
             "Look at the diagonal of your K. May a focal length be negative, and what may you "
             "multiply K and R with so that K R stays?",
             also=[
-                wrong.signs_as_they_come_from_flipping,
-                wrong.signs_as_they_come_from_scipy,
-                wrong.signs_as_they_come_after_the_mirror,
+                wrong_parts.signs_as_they_come_from_flipping,
+                wrong_parts.signs_as_they_come_from_scipy,
+                wrong_parts.signs_as_they_come_after_the_mirror,
             ],
         ),
         Misconception(
-            wrong.signs_of_K_only,
+            wrong_parts.divided_before_the_signs,
+            "You divided K by its last number before you mended the signs. If that number is "
+            "negative, which sign changes does K get that R does not?",
+            also=[wrong_parts.divided_before_the_signs_without_the_mirror],
+        ),
+        Misconception(
+            wrong_parts.block_taken_too_early,
+            "You turn the sign of P. When was M taken out of it: before, or after?",
+        ),
+        Misconception(
+            wrong_parts.signs_of_K_only,
             "Your K is right. You changed signs in it: is the product of K and R still the same?",
             also=[
-                wrong.signs_of_K_only_without_the_mirror,
-                wrong.signs_of_K_in_the_columns_of_R,
+                wrong_parts.signs_of_K_only_without_the_mirror,
+                wrong_parts.signs_of_K_in_the_columns_of_R,
             ],
         ),
         Misconception(
-            wrong.signs_on_the_outer_sides,
+            wrong_parts.signs_on_the_outer_sides,
             "Between K and R, two equal sign matrices cancel. Do yours stand there, or outside?",
         ),
         Misconception(
-            wrong.inverse_left_in_K,
+            wrong_parts.inverse_left_in_K,
             "You split the inverse of M. Does the triangle belong to K then, or to its inverse?",
         ),
         Misconception(
-            wrong.mirror_left_in,
+            wrong_parts.mirror_left_in,
             "Right, unless P is negative. Which determinant has your R then, and a rotation's?",
         ),
         Misconception(
-            wrong.rotation_first,
+            wrong_parts.rotation_first,
             "QR gives the rotation first and the triangle second. Which of them is first in K R?",
-            also=[wrong.rotation_first_with_signs, wrong.rotation_first_signs_inside],
+            also=[
+                wrong_parts.rotation_first_with_signs,
+                wrong_parts.rotation_first_signs_inside,
+                wrong_parts.rotation_first_and_nothing_else,
+            ],
         ),
         Misconception(
-            wrong.K_not_divided,
+            wrong_parts.K_not_divided,
             "Two multiples of P are one camera. Which number of K shows the scale that is left?",
         ),
         Misconception(
-            wrong.rotation_transposed,
+            wrong_parts.rotation_transposed,
             "Your K is right. Does your R lead from the world to the camera, or back?",
-            also=[wrong.transpose_left_out],
+            also=[wrong_parts.transpose_left_out],
         ),
         Misconception(
-            wrong.last_column_as_centre,
+            wrong_parts.last_column_as_centre,
             "K and R are right. The last column of P is the image of the world's origin: is the "
             "camera there?",
-            also=[wrong.minus_last_column_as_centre],
+            also=[wrong_parts.minus_last_column_as_centre],
         ),
         Misconception(
-            wrong.translation_as_centre,
+            wrong_parts.translation_as_centre,
             "K and R are right. You return where the origin is, seen from the camera. Who asks "
             "for whom?",
-            also=[wrong.translation_of_a_scaled_matrix, wrong.t_for_the_centre],
+            also=[wrong_parts.translation_of_a_scaled_matrix, wrong_parts.t_for_the_centre],
         ),
         Misconception(
-            wrong.scale_left_in_the_centre,
+            wrong_parts.scale_left_in_the_centre,
             "Right while P is not multiplied. You divided K by a number: did the last column of P "
             "know of it?",
         ),
         Misconception(
-            wrong.null_vector_not_divided,
+            wrong_parts.null_vector_not_divided,
             "K and R are right. The point that P maps to zero has four numbers: what makes three "
             "coordinates of them?",
         ),
         Misconception(
-            wrong.last_column_without_K,
+            wrong_parts.last_column_without_K,
             "K and R are right. The last column of P is K times t: what did you do about K?",
         ),
         Misconception(
-            wrong.sign_of_the_centre,
+            wrong_parts.sign_of_the_centre,
             "P maps the centre to zero. What does it make of your point?",
         ),
     ],
     forbidden=("cv2.decomposeProjectionMatrix", "cv2.RQDecomp3x3"),
-)
-
-CORRECTION_TABLE = Exercise(
-    "estimation",
-    resection.correction_table,
-    points=5,
-    parts={
-        "residuals in every cell": Part(inputs.every_cell_seen, cases=2, weight=3),
-        "cells without any": Part(inputs.some_cells_empty, cases=1, weight=1),
-        "pixels near the edges of cells": Part(inputs.near_the_edges_of_cells, cases=1, weight=1),
-    },
-    misconceptions=[
-        Misconception(
-            wrong_table.edge_at_zero,
-            "Where does the picture begin: in the middle of its first pixel, or at its edge?",
-        ),
-        Misconception(
-            wrong_table.one_cell_too_few,
-            "How many cells do your numbers count side by side, and how many were asked for?",
-        ),
-        Misconception(
-            wrong_table.comparison_with_fractions,
-            "Your table is empty. Are the numbers of rows and columns that you compare whole?",
-        ),
-        Misconception(
-            wrong_table.height_before_width,
-            "An image size is width and height. Which of them do you divide u by?",
-            also=[wrong_table.height_before_width_unclipped],
-        ),
-        Misconception(
-            wrong_table.cells_rounded,
-            "A pixel near the end of the first cell: does rounding leave it in that cell?",
-        ),
-        Misconception(
-            wrong_table.sum_for_mean,
-            "Ten points with the same residual: should they correct ten times as much as one?",
-        ),
-        Misconception(
-            wrong_table.median_for_mean,
-            "You take the middle one of the residuals. Which sort of average was asked for?",
-        ),
-        Misconception(
-            wrong_table.sizes_of_residuals,
-            "Residuals have signs, for u and for v. May those on the left and on the right cancel?",
-            also=[wrong_table.lengths_of_residuals],
-        ),
-        Misconception(
-            wrong_table.last_one_stays,
-            "Several residuals fall into one cell. How many of them have a say in your entry?",
-        ),
-        Misconception(
-            wrong_table.one_mean_for_u_and_v,
-            "Both numbers of a cell are the same. Over which axis must the mean be taken?",
-        ),
-        Misconception(
-            wrong_table.nan_where_nothing_was_seen,
-            "The mean of nothing is NaN. What should a cell without residuals hold instead?",
-        ),
-        Misconception(
-            wrong_table.minus_the_mean,
-            "The sign is turned round. Does the table hold what is left, or what to add?",
-        ),
-        Misconception(
-            wrong_table.columns_before_rows,
-            "Which index of the table comes first: the one that goes down, or the one across?",
-            also=[wrong_table.indices_exchanged, wrong_table.shape_read_the_other_way],
-        ),
-        Misconception(
-            wrong_table.u_down_and_v_across,
-            "u runs along a row of pixels. Does a larger u change the row of the cell, or its "
-            "column?",
-            also=[wrong_table.u_down_and_v_across_by_own_sides],
-        ),
-        Misconception(
-            wrong_table.rows_from_the_bottom,
-            "In which direction does v grow in a picture: up or down?",
-        ),
-        Misconception(
-            wrong_table.divided_by_all_points,
-            "You divide by the number of all points. How many of them lie in the cell?",
-        ),
-    ],
-)
-
-EXPLAIN_RESIDUALS = Explain(
-    "estimation",
-    "explain_residuals",
-    rubric=[
-        (
-            1,
-            "Says that zero residuals say nothing here: four points give eight equations for eight "
-            "unknowns, so any four readings, also wrong ones, are met exactly.",
-        ),
-        (
-            1,
-            "Proposes points that were not used (or more markers), and to judge by them.",
-        ),
-        (1, "Says that these must be spread over the whole table, or where the needle will work."),
-        (
-            1,
-            "Names an error that points on the table cannot show: a target above or below it, or "
-            "the needle's own error, or a wrong scale of all marker places.",
-        ),
-    ],
-    model_answer=(
-        "Nothing at all: four points give eight equations for the eight unknowns of a homography, "
-        "so the residuals are zero whatever was read, even with a slip of 10 mm. She should "
-        "measure more markers all over the table, keep some of them out of the fit, and look how "
-        "far off the homography is there. But a homography knows one plane only: 100 markers on "
-        "the table would never show how far the needle misses a target that lies higher."
-    ),
 )

@@ -134,6 +134,12 @@ FIT_LINE = Exercise(
             "product of the design with itself is square?",
         ),
         Misconception(
+            wrong.all_that_lstsq_returns,
+            "`np.linalg.lstsq` returns four things. Which of them are slope and intercept, and how "
+            "does section 2 take it out?",
+            also=[wrong.lstsq_into_two_names],
+        ),
+        Misconception(
             wrong.slope_of_a_fit_through_the_origin,
             "Slope and intercept pull at each other. Were both unknown when you found the slope?",
         ),
@@ -161,6 +167,15 @@ FIT_AFFINE = Exercise(
         Misconception(
             wrong.ones_in_front,
             "In which column of A does the task want the translation, and where is it in yours?",
+        ),
+        Misconception(
+            wrong.two_columns_of_ones,
+            "`np.ones_like` of a table is a table. How many ones does each row of the design need?",
+            also=[wrong.two_columns_of_ones_left_transposed],
+        ),
+        Misconception(
+            wrong.all_that_lstsq_returns_for_a_map,
+            "`np.linalg.lstsq` returns four things. Which of them is the solution?",
         ),
         Misconception(
             wrong.first_three_points,

@@ -155,6 +155,15 @@ def inverse_of_a_tall_matrix(x, y):
     return slope, intercept
 
 
+def all_that_lstsq_returns(x, y):
+    return np.linalg.lstsq(np.column_stack([x, np.ones(len(x))]), y)
+
+
+def lstsq_into_two_names(x, y):
+    slope, intercept = np.linalg.lstsq(np.column_stack([x, np.ones(len(x))]), y)
+    return slope, intercept
+
+
 def slope_of_a_fit_through_the_origin(x, y):
     slope = x @ y / (x @ x)
     return slope, np.mean(y - slope * x)
@@ -197,6 +206,22 @@ def no_translation(points, targets):
 
 def column_of_zeros(points, targets):
     return _solved(np.column_stack([points, np.zeros(len(points))]), targets)
+
+
+def _with_two_ones(points: Any) -> Any:
+    return np.column_stack([points, np.ones_like(points)])
+
+
+def two_columns_of_ones(points, targets):
+    return _solved(_with_two_ones(points), targets)
+
+
+def two_columns_of_ones_left_transposed(points, targets):
+    return _solved(_with_two_ones(points), targets).T
+
+
+def all_that_lstsq_returns_for_a_map(points, targets):
+    return np.linalg.lstsq(_with_ones(points), targets)
 
 
 def reshaped_for_transposed(points, targets):

@@ -114,6 +114,57 @@ def _solved_by(pick: Any, points: Any, targets: Any) -> Any:
     return _scaled(np.linalg.inv(T_targets) @ pick(_design(p, q)).reshape(3, 3) @ T_points)
 
 
+def _undone(A: Any, points: Any, targets: Any) -> Any:
+    H = np.linalg.svd(A)[2][-1].reshape(3, 3)
+    return _scaled(np.linalg.inv(normalised(targets)[1]) @ H @ normalised(points)[1])
+
+
+def rows_as_they_come_but_undone(points, targets):
+    return _undone(_design(points, targets), points, targets)
+
+
+def rows_of_points_as_they_come(points, targets):
+    return _undone(_design(points, normalised(targets)[0]), points, targets)
+
+
+def rows_of_targets_as_they_come(points, targets):
+    return _undone(_design(normalised(points)[0], targets), points, targets)
+
+
+def _last_is_one(A: Any) -> Any:
+    return np.append(np.linalg.lstsq(A[:, :8], -A[:, 8])[0], 1).reshape(3, 3)
+
+
+def last_number_is_one(points, targets):
+    return _last_is_one(_design(points, targets))
+
+
+def last_number_is_one_for_normalised(points, targets):
+    return _solved_by(_last_is_one, points, targets)
+
+
+def eight_vectors_of_nine(points, targets):
+    return _solved_by(lambda A: np.linalg.svd(A, full_matrices=False)[2][-1], points, targets)
+
+
+def u_and_v_exchanged_in_the_rows(points, targets):
+    p, q = normalised(points)[0], normalised(targets)[0]
+    return _undone(_design(p, q[:, ::-1]), points, targets)
+
+
+def targets_exchanged(points, targets):
+    return from_exchanged(points, targets[:, ::-1])
+
+
+def points_exchanged(points, targets):
+    return from_exchanged(points[:, ::-1], targets)
+
+
+def from_exchanged(points: Any, targets: Any) -> Any:
+    T_points, H, T_targets = _between(points, targets)
+    return _scaled(np.linalg.inv(T_targets) @ H @ T_points)
+
+
 def longest_for_shortest(points, targets):
     return _solved_by(lambda A: np.linalg.svd(A)[2][0], points, targets)
 

@@ -26,6 +26,26 @@ def matrix_not_transposed(points, H):
     return x[..., :2] / _finite(x[..., 2:])
 
 
+def divided_by_one_long_row(points, H):
+    x = _images(points, H)
+    return x[:, :2] / x[:, 2]
+
+
+def divided_by_one_long_row_of_any(points, H):
+    x = _images(points, H)
+    return x[..., :2] / x[..., 2]
+
+
+def a_single_point_stood_up(points, H):
+    x = np.column_stack([points, np.ones(len(points))]) @ H.T
+    return x[..., :2] / _finite(x[..., 2:])
+
+
+def columns_of_a_single_point(points, H):
+    x = _images(points, H)
+    return x[:, :2] / _finite(x[:, 2:])
+
+
 def zero_for_one(points, H):
     x = np.concatenate([points, np.zeros_like(points[..., :1])], axis=-1) @ H.T
     return x[..., :2] / _finite(x[..., 2:])
@@ -151,6 +171,34 @@ def root_mean_square_distance(points):
     centre = points.mean(axis=0)
     squares = ((points - centre) ** 2).sum(axis=1)
     return _similarity(points, np.sqrt(points.shape[1] / squares.mean()), centre)
+
+
+def _of_deviations(points: Any, distance: Any) -> Any:
+    return _similarity(points, distance / points.std(), points.mean(axis=0))
+
+
+def standard_deviation_of_all(points):
+    return _of_deviations(points, np.sqrt(2))
+
+
+def standard_deviation_of_all_by_dimension(points):
+    return _of_deviations(points, np.sqrt(points.shape[1]))
+
+
+def standard_deviation_from_the_mean(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, np.sqrt(2) / (points - centre).std(), centre)
+
+
+def standard_deviation_from_the_mean_by_dimension(points):
+    centre = points.mean(axis=0)
+    return _similarity(points, np.sqrt(points.shape[1]) / (points - centre).std(), centre)
+
+
+def spread_of_the_distances(points):
+    centre = points.mean(axis=0)
+    spread = np.linalg.norm(points - centre, axis=1).std()
+    return _similarity(points, np.sqrt(points.shape[1]) / spread, centre)
 
 
 def each_axis_by_itself(points):

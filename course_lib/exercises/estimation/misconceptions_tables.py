@@ -35,6 +35,13 @@ def edge_at_zero(pixels, residuals, image_size, shape):
     return _table(_cells(pixels, image_size, shape, 0), residuals, shape, _mean)
 
 
+def last_edge_left_out(pixels, residuals, image_size, shape):
+    (width, height), (rows, columns) = image_size, shape
+    column = np.floor((pixels[:, 0] + 0.5) / width * columns).astype(int)
+    row = np.floor((pixels[:, 1] + 0.5) / height * rows).astype(int)
+    return _table((row, column), residuals, shape, _mean)
+
+
 def one_cell_too_few(pixels, residuals, image_size, shape):
     rows, columns = shape
     column = ((pixels[:, 0] + 0.5) / image_size[0] * (columns - 1)).astype(int)

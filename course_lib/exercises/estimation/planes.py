@@ -28,6 +28,18 @@ APPLY_HOMOGRAPHY = Exercise(
             "Points are rows here. What must happen to a matrix that multiplies from the right?",
         ),
         Misconception(
+            wrong_points.divided_by_one_long_row,
+            "Taken as `p[:, 2]`, the w are one long row. What does section 4 write to keep them a "
+            "column, one w for each point?",
+            also=[wrong_points.divided_by_one_long_row_of_any],
+        ),
+        Misconception(
+            wrong_points.a_single_point_stood_up,
+            "Right for points in rows. What shape has a single point, and which functions of "
+            "chapter 02 take both?",
+            also=[wrong_points.columns_of_a_single_point],
+        ),
+        Misconception(
             wrong_points.zero_for_one,
             "A zero at the end of a row means a direction. Which number means a point?",
         ),
@@ -102,6 +114,17 @@ NORMALISE_POINTS = Exercise(
             "You average squares and take the root at the end. Of what is the mean asked for?",
         ),
         Misconception(
+            wrong_points.standard_deviation_of_all,
+            "`std` is the root of a mean of squares, over all numbers of the table. Of what is the "
+            "mean asked for?",
+            also=[
+                wrong_points.standard_deviation_of_all_by_dimension,
+                wrong_points.standard_deviation_from_the_mean,
+                wrong_points.standard_deviation_from_the_mean_by_dimension,
+                wrong_points.spread_of_the_distances,
+            ],
+        ),
+        Misconception(
             wrong_points.each_axis_by_itself,
             "You stretch each axis by a factor of its own. How many factors does the task allow?",
             also=[wrong_points.each_axis_to_one],
@@ -172,6 +195,29 @@ HOMOGRAPHY_DLT = Exercise(
         Misconception(
             wrong.only_the_points_normalised,
             "You normalised the points. Are the targets already numbers of about 1?",
+        ),
+        Misconception(
+            wrong.rows_as_they_come_but_undone,
+            "You undo a normalising at the end. Are the numbers in your A normalised ones, the "
+            "points as well as the targets?",
+            also=[wrong.rows_of_points_as_they_come, wrong.rows_of_targets_as_they_come],
+        ),
+        Misconception(
+            wrong.last_number_is_one,
+            "Right for exact points. You set the last number of H to 1 and solve for the other "
+            "eight. Which vector does the task ask for instead?",
+            also=[wrong.last_number_is_one_for_normalised],
+        ),
+        Misconception(
+            wrong.eight_vectors_of_nine,
+            "Four points make only eight rows. Without its full matrices the SVD leaves out the ninth "
+            "vector. Which one do you need?",
+        ),
+        Misconception(
+            wrong.u_and_v_exchanged_in_the_rows,
+            "Which row of H makes the first coordinate of a target? In which rows of A does that "
+            "coordinate stand, and is u the first one of your points?",
+            also=[wrong.targets_exchanged, wrong.points_exchanged],
         ),
         Misconception(
             wrong.still_normalised,

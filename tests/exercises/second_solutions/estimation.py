@@ -60,13 +60,14 @@ def homography_dlt(points, targets):
 
 
 def camera_dlt(points, pixels):
-    """As the photogrammetrists do: eleven unknowns, the last number is 1, nothing normalised."""
-    rows, right = [], []
-    for (x, y, z), (u, v) in zip(points, pixels, strict=True):
-        rows.append([x, y, z, 1, 0, 0, 0, 0, -u * x, -u * y, -u * z])
-        rows.append([0, 0, 0, 0, x, y, z, 1, -v * x, -v * y, -v * z])
-        right += [u, v]
-    return np.append(np.linalg.lstsq(np.array(rows), np.array(right))[0], 1).reshape(3, 4)
+    """From the smallest eigenvector of AᵀA, with the rows as a cross product."""
+    (p, T_p), (q, T_q) = normalise_points(points), normalise_points(pixels)
+    N = np.zeros((12, 12))
+    for (x, y, z), (u, v) in zip(p, q, strict=True):
+        for row in (np.kron([0, -1, v], [x, y, z, 1]), np.kron([1, 0, -u], [x, y, z, 1])):
+            N += np.outer(row, row)
+    P = np.linalg.eigh(N)[1][:, 0].reshape(3, 4)
+    return -5 * np.linalg.solve(T_q, P @ T_p)
 
 
 def decompose_projection(P):
@@ -84,7 +85,8 @@ def correction_table(pixels, residuals, image_size, shape):
     (width, height), (rows, columns) = image_size, shape
     sums, counts = np.zeros((rows, columns, 2)), np.zeros((rows, columns, 1))
     for (u, v), residual in zip(pixels, residuals, strict=True):
-        cell = int((v + 0.5) // (height / rows)), int((u + 0.5) // (width / columns))
+        row, column = int((v + 0.5) // (height / rows)), int((u + 0.5) // (width / columns))
+        cell = min(row, rows - 1), min(column, columns - 1)
         sums[cell] += residual
         counts[cell] += 1
     return sums / np.maximum(counts, 1)
