@@ -72,12 +72,13 @@ def valid_radius(coefficients: ArrayLike) -> float:
     inf
     """
     k = check_coefficients(coefficients)
-    above = np.polynomial.Polynomial([1, k[0], k[1], k[4]])
-    below = np.polynomial.Polynomial([1, *k[5:8]])
-    # d(r N/D)/dr is this over D², with q = r².
-    q = np.polynomial.Polynomial([0, 1])
-    rise = above * below + 2 * q * (above.deriv() * below - above * below.deriv())
-    return float(np.sqrt(min(map(smallest_positive_root, (rise.coef, below.coef)))))
+    above, below = np.array([1, k[0], k[1], k[4]]), np.array([1, *k[5:8]])
+    # d(r N/D)/dr is N D + 2 q (N' D - N D') over D², with q = r²; lowest power first.
+    powers = np.arange(4)
+    rise = np.convolve(above, below)
+    rise += 2 * (np.convolve(powers * above, below) - np.convolve(above, powers * below))
+    pole = smallest_positive_root(below) if below[1:].any() else np.inf
+    return float(np.sqrt(min(smallest_positive_root(rise), pole)))
 
 
 def undistort_points(points: ArrayLike, coefficients: ArrayLike) -> Array:

@@ -8,13 +8,25 @@ from course_lib.widgets.controls import Choice, Slider
 from course_lib.widgets.explorer import Explorer
 
 
-def distortion_explorer() -> Explorer:
-    """Return the distortion explorer: twelve coefficients and what they do to a picture."""
+def distortion_explorer(twelve: bool = False) -> Explorer:
+    """Return the distortion explorer: coefficients of a lens and what they do to a picture.
+
+    Parameters
+    ----------
+    twelve : bool
+        Whether there are sliders for all twelve coefficients, or for the first five.
+
+    Returns
+    -------
+    Explorer
+        The picture, the displacements and the distances from the centre.
+    """
     radial = [_coefficient(f"k{n}", f"k{'₁₂₃'[n - 1]}", "Radial", 0.6) for n in (1, 2, 3)]
     tangential = [_coefficient(f"p{n}", f"p{'₁₂'[n - 1]}", "Tangential", 0.05) for n in (1, 2)]
     below = [_coefficient(f"k{n}", f"k{'₄₅₆'[n - 4]}", "Rational", 0.6) for n in (4, 5, 6)]
     prism = [_coefficient(f"s{n}", f"s{'₁₂₃₄'[n - 1]}", "Prism", 0.05) for n in (1, 2, 3, 4)]
-    return Explorer("Lens distortion", [*radial, *tangential, *below, *prism], distortion_frame)
+    more = [*below, *prism] if twelve else []
+    return Explorer("Lens distortion", [*radial, *tangential, *more], distortion_frame)
 
 
 def _coefficient(name: str, symbol: str, label: str, most: float) -> Slider:

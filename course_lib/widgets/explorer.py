@@ -145,6 +145,17 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
             return "on" if value else "off"
         return str(value)
 
+    def _settings(self) -> str:
+        """Return where the controls stand; of sliders with one label, those not at zero."""
+        labels = [control.label for control in self._controls.values()]
+        shown = []
+        for name, control in self._controls.items():
+            if not isinstance(control, Slider) or labels.count(control.label) == 1:
+                shown.append(f"{control.label}: {self._shown(name)}")
+            elif self._state[name]:
+                shown.append(f"{control.label} {control.symbol}: {self._shown(name)}")
+        return ", ".join(shown) or "All sliders at zero"
+
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
         """Return the live explorer, with a still figure and words for readers without a kernel."""
         bundle = super()._repr_mimebundle_(**kwargs)
@@ -153,7 +164,7 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         data, metadata = bundle
         try:
             frame = self.frame_now()
-            settings = ", ".join(f"{c.label}: {self._shown(n)}" for n, c in self._controls.items())
+            settings = self._settings()
             words = f"{settings}\n{frame.in_words()}"
             data["text/html"] = described_picture(still(frame, settings), words)
         except Exception as error:  # the live explorer shows the same sentence

@@ -230,6 +230,7 @@ def test_a_map_that_is_missing_leaves_the_second_picture_empty():
     picture, _, lines = straightened()
     _, after = draw.before_and_after(picture, None, lines).axes
     assert not after.images
+    assert [text.get_text() for text in after.texts] == ["your map goes here"]
 
 
 def test_bars_are_the_straightness_of_each_line():

@@ -86,6 +86,33 @@ def test_iso_lines_have_the_displacement_that_is_written_beside_them():
         assert np.abs(np.array(seen) / level - 1).min() < 0.03
 
 
+@pytest.mark.parametrize("coefficients", [{"k1": -0.22}, {"k1": -0.15, "p2": 0.02}, {"k1": 0.3}])
+def test_every_iso_line_has_a_number_and_no_two_collide(coefficients):
+    frame = bent(**coefficients)
+    labels = frame.pictures[1].labels
+    moved = distortion.displacement_field(
+        distortion.pixel_grid(pictures.SIZE, 41, 31).reshape(-1, 2),
+        pictures.K,
+        lens(**coefficients),
+    )
+    assert len(labels) == len(bending._levels(np.nanmax(np.hypot(*moved.T))))
+    for n, label in enumerate(labels):
+        for other in labels[:n]:
+            across, down = np.abs(np.subtract(label.at, other.at))
+            assert across >= 30 or down >= 16
+
+
+def test_a_missing_coefficient_is_zero():
+    assert bending.distortion_frame(k1=-0.2).in_words() == bent(k1=-0.2).in_words()
+
+
+def test_words_say_which_way_lines_tilt():
+    words = bent(p2=0.02).pictures[0].alt
+    assert "up at its right end by 6 px" in words
+    assert "down at its right end by 6 px" in words
+    assert "bent" not in words
+
+
 def test_a_pinhole_has_no_iso_lines_and_short_arrows():
     frame = bent()
     assert not texts(frame.pictures[1])
@@ -185,6 +212,33 @@ def test_the_plot_shows_the_distances_of_the_line():
         assert shown == pytest.approx(chord(points), abs=0.01)
 
 
+def test_a_line_that_lies_far_off_is_drawn_to_its_end():
+    name = next(iter(undistort.BOARDS))
+    _, plot = straightened(name, -0.5).pictures
+    drawn = np.asarray(plot.lines[3].points)
+    grey, _ = boards.board_photograph(undistort.BOARDS[name])
+    lines = boards.board_lines(grey)
+    line = distortion.undistort_pixels(lines[boards.most_bent(lines)], rails.K, [-0.5])
+    left, right, *_ = undistort.FAR_AWAY.box
+    scale = (right - left) / np.ptp(undistort.FAR_AWAY.x)
+    assert np.abs(drawn[:, 0] - (left + right) / 2).max() / scale == pytest.approx(chord(line))
+    assert chord(line) > 15
+    assert "20" in texts(plot)
+
+
+def test_twelve_sliders_only_when_asked_for():
+    assert list(widgets.distortion_explorer().state) == ["k1", "k2", "k3", "p1", "p2"]
+    assert set(widgets.distortion_explorer(twelve=True).state) == set(bending.NAMES)
+
+
+def test_still_names_the_coefficients_that_are_not_zero():
+    explorer = widgets.distortion_explorer(twelve=True)
+    assert "All sliders at zero" in explorer._repr_mimebundle_()[0]["text/plain"]
+    explorer.set(k1=-0.3, s4=0.02)
+    words = explorer._repr_mimebundle_()[0]["text/plain"]
+    assert "Radial k₁: -0.30, Prism s₄: 0.020\n" in words
+
+
 def chord(points):
     """Return the largest distance from the line through the first and the last point."""
     along = (points[-1] - points[0]) / np.linalg.norm(points[-1] - points[0])
@@ -219,7 +273,7 @@ def test_without_a_network_a_computed_board_is_straightened(monkeypatch):
 # Both
 
 EXPLORERS = {
-    "distortion": (widgets.distortion_explorer, {"k1": -0.3, "p1": 0.02}),
+    "distortion": (lambda: widgets.distortion_explorer(twelve=True), {"k1": -0.3, "p1": 0.02}),
     "undistort": (widgets.undistort_explorer, {"k1": -0.3, "k2": 0.1}),
 }
 

@@ -56,7 +56,7 @@ def displacement_fields(
     fig, axes = panels(1, 3, (FULL_WIDTH, 2.7), sharey=True)
     for ax, part in zip(axes, ("complete", "radial", "tangential"), strict=True):
         largest = _field(ax, np.asarray(K, float), coefficients, image_size, part)
-        ax.set_title(f"{part.capitalize()}, up to {largest:.3g} px", fontsize=10)
+        ax.set_title(f"{part.capitalize()}, up to {largest:#.3g} px", fontsize=10)
         if part != "complete":
             ax.set_ylabel("")
     return fig

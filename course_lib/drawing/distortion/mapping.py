@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib.distortion import distort, undistort_pixels, undistort_points
-from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape
+from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
 from course_lib.drawing.distortion.pictures import (
     NOWHERE,
     SIZE,
@@ -18,7 +18,7 @@ from course_lib.drawing.distortion.pictures import (
     looked_up,
     straight_map,
 )
-from course_lib.drawing.style import FULL_WIDTH, ROLES
+from course_lib.drawing.style import FULL_WIDTH, GREY, ROLES
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -214,7 +214,9 @@ def before_and_after(
             ax.imshow(shown, vmin=0, vmax=255)
             points = np.asarray(line, dtype=float)
             ax.plot(*points[[0, -1]].T, color=ROLES["ray"], lw=1.2)
-            ax.plot(*points.T, "o", color=ROLES["object"], ms=3)
+            ax.plot(*points.T, "o", color=ROLES["camera"], ms=4.5, mec="white", mew=0.6)
+        else:
+            write(ax, ((left + right) / 2, height / 2), "your map goes here", color=GREY)
     return fig
 
 

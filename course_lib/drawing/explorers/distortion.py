@@ -29,6 +29,8 @@ CORNER = float(np.hypot(*(np.array(SIZE) - 1)) / 2 / K[0, 0])
 STEPS = 24
 #: px: a longest arrow is drawn so long; a displacement smaller than the other is none.
 ARROW, NONE = 26.0, 0.05
+#: To the right and down, as parts of half the picture: the ways on which iso-lines are numbered.
+WAYS = ((1, 0), (1, -1), (1, 1), (-1, -1), (-1, 1), (0, -1), (-1, 0), (1, -0.6), (-1, -0.6))
 
 
 def distortion_frame(**coefficients: float) -> Frame:
@@ -37,7 +39,7 @@ def distortion_frame(**coefficients: float) -> Frame:
     Parameters
     ----------
     **coefficients
-        One for each of `NAMES`; no unit.
+        Any of `NAMES`, no unit; the others are zero.
 
     Returns
     -------
@@ -45,7 +47,7 @@ def distortion_frame(**coefficients: float) -> Frame:
         The picture with a grid of straight lines, the field of displacements, r_d against r, and
         the numbers.
     """
-    lens = np.array([coefficients[name] for name in NAMES])
+    lens = np.array([coefficients.get(name, 0.0) for name in NAMES])
     limit = valid_radius(lens)
     corners = pixel_grid(SIZE, 2, 2).reshape(-1, 2)
     # Only what does not lie beyond the fold is the image of anything.
@@ -67,14 +69,15 @@ def _house(lens: Floats, limit: float) -> Picture:
     bent = _within(distort_pixels(grid, K, lens), grid, limit).reshape(-1, STEPS, 2)
     lines = [Line(line, "object", 1.5) for line in bent]
     # How far the middle of the upper and of the lower edge bulges out, against its ends.
-    edges = distort_pixels(pixel_grid(SIZE, 3, 2).reshape(-1, 2), K, lens)[:, 1]
-    above, below = edges[[0, 3]] - edges[[1, 4]]
+    edges = distort_pixels(pixel_grid(SIZE, 3, 2).reshape(-1, 2), K, lens)[:, 1].reshape(2, 3)
+    above, below = edges[:, [0, 2]].mean(axis=1) - edges[:, 1]
+    tilt = edges[:, 2] - edges[:, 0]
     reach = _radial(np.array([limit]), lens)[0] if limit < np.inf else np.inf
     fold = " No ray reaches the corners of the picture." if reach < CORNER else ""
     return Picture(
         "Through the lens",
-        f"A house with a grid of straight lines. The line at the upper edge is {_bend(above)}, "
-        f"that at the lower edge {_bend(-below)}.{fold}",
+        f"A house with a grid of straight lines. The line at the upper edge is "
+        f"{_bend(above, tilt[0])}, that at the lower edge {_bend(-below, tilt[1])}.{fold}",
         SIZE,
         house_through(lens),
         lines=tuple(lines),
@@ -82,11 +85,14 @@ def _house(lens: Floats, limit: float) -> Picture:
     )
 
 
-def _bend(outwards: float) -> str:
-    """Return in words how far the middle of a line lies farther out than its ends, px."""
-    if abs(outwards) < 0.5:
-        return "straight"
-    return f"bent {'outwards' if outwards > 0 else 'inwards'} by {abs(outwards):.0f} px"
+def _bend(outwards: float, tilt: float) -> str:
+    """Return in words how far a line's middle lies farther out, and its right end farther down."""
+    words = []
+    if abs(outwards) >= 0.5:
+        words = [f"bent {'outwards' if outwards > 0 else 'inwards'} by {abs(outwards):.0f} px"]
+    if abs(tilt) >= 0.5:
+        words.append(f"{'down' if tilt > 0 else 'up'} at its right end by {abs(tilt):.0f} px")
+    return " and ".join(words) or "straight"
 
 
 def _within(bent: Floats, ideal: Floats, limit: float) -> Floats:
@@ -108,11 +114,11 @@ def _field(lens: Floats, limit: float) -> Picture:
     arrows = _moved(places, lens, limit)
     longest = max(float(np.nanmax(np.hypot(*arrows.T))), NONE)
     lines = [Line(_arrows(places, arrows * min(ARROW / longest, 500)), "ray", 1.5)]
-    labels = []
+    labels: list[Label] = []
     generator = contour_generator(fine[..., 0], fine[..., 1], np.ma.masked_invalid(distance))
-    for level in _levels(largest):
+    for level in reversed(_levels(largest)):  # the outer lines have fewer places for a number
         lines += [Line(np.asarray(p, float), "camera", 1.2) for p in generator.lines(level)]
-        labels += _level_label(level, distance, fine)
+        labels += _level_label(level, distance, fine, labels)
     lines.append(Line(disc(K[:2, 2], 3), "ink", 1.0, closed=True, fill=1.0))
     return Picture(
         "Displacement in px",
@@ -138,15 +144,25 @@ def _levels(largest: float) -> list[float]:
     return [float(level) for level in np.arange(1, 12) * step if level < largest]
 
 
-def _level_label(level: float, distance: Floats, fine: Floats) -> list[Label]:
-    """Return the number of an iso-line where it crosses the row of the centre, to the right."""
-    row = len(fine) // 2
-    along = distance[row, fine.shape[1] // 2 :]
-    over = np.flatnonzero(along > level)
-    if not len(over) or over[0] == 0:
-        return []
-    u, v = fine[row, fine.shape[1] // 2 + over[0]]
-    return [Label(f"{level:g}", (min(float(u) - 4, SIZE[0] - 14.0), float(v) - 9), anchor="middle")]
+def _level_label(level: float, distance: Floats, fine: Floats, others: list[Label]) -> list[Label]:
+    """Return the number of an iso-line, where one of several ways from the centre crosses it.
+
+    The first way is to the right; a corner's is taken where that does not reach the line, or would
+    write over another number.
+    """
+    rows, columns = distance.shape
+    steps = np.linspace(0, 1, 60)
+    for right, down in WAYS:
+        row = np.rint((rows - 1) * (1 + down * steps) / 2).astype(int)
+        column = np.rint((columns - 1) * (1 + right * steps) / 2).astype(int)
+        over = np.flatnonzero(distance[row, column] > level)
+        if not len(over) or over[0] == 0:
+            continue
+        u, v = fine[row[over[0]], column[over[0]]]
+        u, v = min(max(float(u), 16.0), SIZE[0] - 16.0), min(max(float(v), 14.0), SIZE[1] - 8.0)
+        if all(max(abs(u - o.at[0]) / 30, abs(v - o.at[1]) / 16) >= 1 for o in others):
+            return [Label(f"{level:g}", (u, v), anchor="middle")]
+    return []
 
 
 def _arrows(places: Floats, moves: Floats) -> Floats:

@@ -26,6 +26,9 @@ BOARDS = {"board on the right": PHOTOGRAPHS[5], "large board": PHOTOGRAPHS[2]}
 PLOT_SIZE = (250, 480)
 #: Across: deviation magnified, px; down: along the line from its first corner to its last.
 AWAY = Plot((34, 236, 40, 420), (-6.0, 6.0), (0.0, 1.0))
+#: The same for lines that lie farther away, and the numbers at both.
+FAR_AWAY = Plot(AWAY.box, (-25.0, 25.0), AWAY.y)
+TICKS = {AWAY: (-5, 0, 5), FAR_AWAY: (-20, 0, 20)}
 
 
 def undistort_frame(photograph: str, k1: float, k2: float) -> Frame:
@@ -111,15 +114,16 @@ def _away(line: Floats) -> tuple[Floats, Floats]:
 
 def _deviation(before: Floats, after: Floats) -> Picture:
     """Return the distances of one line from a straight edge, before and after."""
-    lines = [AWAY.frame(), Line(AWAY.pixels(0, AWAY.y), "guide", 1.2)]
-    labels = [*AWAY.ticks((-5, 0, 5), ()), *AWAY.names("px", "distance from the edge")]
+    largest = _away(after)[1]
+    plot = FAR_AWAY if np.abs(largest).max(initial=0, where=np.isfinite(largest)) > 6 else AWAY
+    lines = [plot.frame(), Line(plot.pixels(0, plot.y), "guide", 1.2)]
+    labels = [*plot.ticks(TICKS[plot], ()), *plot.names("px", "distance from the straight edge")]
     for points, role, dashed in ((before, "guide", True), (after, "object", False)):
         if np.isfinite(points).all():
             share, away = _away(points)
-            drawn = AWAY.pixels(np.clip(away, *AWAY.x), 1 - np.clip(share, 0, 1))
+            drawn = plot.pixels(np.clip(away, *plot.x), 1 - np.clip(share, 0, 1))
             lines.append(Line(drawn, role, 2.5, dashed=dashed))
     labels.append(Label("dashed: as photographed", (36, 466), "guide"))
-    largest = _away(after)[1]
     said = f"{np.abs(largest).max():.1f} px" if np.isfinite(largest).all() else "out of reach"
     return Picture(
         "The marked line",

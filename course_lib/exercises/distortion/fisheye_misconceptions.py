@@ -137,6 +137,6 @@ def root_left_out_in_the_direction(points, K, k):
 
 
 def root_left_out_everywhere(points, K, k):
-    rho = sideways(points)
-    image = root_left_out(points, np.eye(3), k)
-    return on_sensor(image / rho[:, None], K)
+    square = sideways(points) ** 2
+    angle = np.arctan2(square, points[:, 2])
+    return on_sensor(points[:, :2] * (angle * polynomial(angle, k, EVEN) / square)[:, None], K)

@@ -176,11 +176,12 @@ def as_an_angle(coefficients):
 
 
 def as_degrees(coefficients):
-    return float(np.degrees(as_an_angle(coefficients)))
+    return float(np.degrees(np.arctan(smallest(positive_roots(derivative(coefficients))))))
 
 
 def as_degrees_but_for_no_fold(coefficients):
-    return as_degrees(coefficients) if positive_roots(derivative(coefficients)) else np.inf
+    r = smallest(positive_roots(derivative(coefficients)))
+    return float(np.degrees(np.arctan(r))) if r < np.inf else np.inf
 
 
 def second_coefficient_left_out(coefficients):

@@ -34,7 +34,7 @@ def pixels_bent(K, coefficients, image_size):
 
 def only_put_on(K, coefficients, image_size):
     """Bend pixels as if they were tangents, and then put K on."""
-    map_u, map_v = pixels_bent(K, coefficients, image_size)
+    map_u, map_v = mapped(np.eye(3), coefficients, image_size)
     return map_u * K[0, 0] + K[0, 2], map_v * K[1, 1] + K[1, 2]
 
 
@@ -51,7 +51,7 @@ def grid_exchanged(K, coefficients, image_size):
 def grid_of_exchanged_sizes(K, coefficients, image_size):
     """Make the grid of a picture that is as wide as this one is high, in the right shape."""
     width, height = image_size
-    map_u, map_v = size_exchanged(K, coefficients, image_size)
+    map_u, map_v = mapped(K, coefficients, image_size[::-1])
     return map_u.reshape(height, width), map_v.reshape(height, width)
 
 
