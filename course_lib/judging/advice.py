@@ -75,7 +75,12 @@ ADVICE = (
         "their own: `np.concatenate([a, b], axis=-1)`.",
     ),
     ("TypeError", "positional argument", "Is the number of arguments the one in the exercise?"),
-    ("NameError", "", "Python does not know this name. Is it misspelt, or never assigned?"),
+    (
+        "NameError",
+        "",
+        "Python does not know this name. Is it misspelt, or never assigned, or does its module lack in "
+        "front, as `np` in `np.sqrt`?",
+    ),
     ("UnboundLocalError", "", "This name is used before it is assigned in the function."),
     (
         "IndexError",
@@ -90,6 +95,12 @@ ADVICE = (
     ),
     ("IndexError", "", "There are fewer entries than the index needs; the first has index 0."),
     ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
+    (
+        "ValueError",
+        "size 3 is different from 1",
+        "There is one column where three belong. Was a single point put together like a table of "
+        "points? `column_stack` stands its numbers one below the other.",
+    ),
     (
         "ValueError",
         "core dimension",
@@ -138,7 +149,8 @@ ADVICE = (
     (
         "LinAlgError",
         "must be square",
-        "Only a square matrix has a determinant or an inverse. Take the square part of it.",
+        "Only a square matrix has a determinant or an inverse. Print its shape. Is a square part of it "
+        "meant, or are there more equations than unknowns? Then it takes least squares.",
     ),
     (
         "ValueError",
@@ -167,7 +179,8 @@ ADVICE = (
         "ValueError",
         "broadcast",
         "The shapes of the two arrays do not fit. Print both shapes. Matrices are multiplied "
-        "with `@`, not with `*`.",
+        "with `@`, not with `*`. A column taken as `a[:, 2]` is one long row; `a[:, 2:]` and "
+        "`a[:, 2, None]` stay columns.",
     ),
     (
         "ValueError",
@@ -180,7 +193,8 @@ ADVICE = (
         "ValueError",
         "unpack",
         "The number of names on the left is not the number of values. A table comes apart into "
-        "its rows; `p[..., 0]` is the first number of each.",
+        "its rows; `p[..., 0]` is the first number of each. With `x, *_ =` the first of several "
+        "values gets a name.",
     ),
     ("RecursionError", "", "The function calls itself without end."),
 )

@@ -94,7 +94,27 @@ def test_arrays_that_do_not_fit_side_by_side():
 
 
 def test_determinant_of_a_camera_matrix():
-    assert "square" in said(np.linalg.det, np.ones((3, 4)))
+    assert "square part" in said(np.linalg.det, np.ones((3, 4)))
+    assert "least squares" in said(np.linalg.inv, np.ones((8, 2)))
+
+
+def test_a_single_point_as_a_column():
+    point = np.array([3.0, 4])
+    words = said(lambda: np.column_stack([point, np.ones(2)])[:, :1] @ np.eye(3))
+    assert "`column_stack`" in words
+
+
+def test_a_column_that_became_a_row():
+    table = np.ones((4, 3))
+    assert "`a[:, 2:]`" in said(lambda: table[:, :2] / table[:, 2])
+
+
+def test_a_name_without_its_module():
+    assert "`np` in `np.sqrt`" in said(eval, "to_homogeneous(3)")
+
+
+def test_more_values_than_names():
+    assert "`x, *_ =`" in said(exec, "m, c = (1, 2, 3, 4)")
 
 
 def test_other_advice_is_not_hidden():
