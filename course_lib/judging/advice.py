@@ -78,8 +78,8 @@ ADVICE = (
     (
         "NameError",
         "",
-        "Python does not know this name. Is it misspelt, or never assigned, or does its module lack in "
-        "front, as `np` in `np.sqrt`?",
+        "Python does not know this name. Is it misspelt, or never assigned, or does its module "
+        "lack in front, as `np` in `np.sqrt`?",
     ),
     ("UnboundLocalError", "", "This name is used before it is assigned in the function."),
     (
@@ -97,9 +97,10 @@ ADVICE = (
     ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
     (
         "ValueError",
-        "size 3 is different from 1",
-        "There is one column where three belong. Was a single point put together like a table of "
-        "points? `column_stack` stands its numbers one below the other.",
+        "size 3 is different from 2",
+        "There are two columns where three belong. Is the 1 appended? Or was a single point put "
+        "together like a table of points? `column_stack` stands its numbers one below the other. "
+        "Print both shapes: points are rows here, as in `points @ A.T`.",
     ),
     (
         "ValueError",
@@ -149,8 +150,8 @@ ADVICE = (
     (
         "LinAlgError",
         "must be square",
-        "Only a square matrix has a determinant or an inverse. Print its shape. Is a square part of it "
-        "meant, or are there more equations than unknowns? Then it takes least squares.",
+        "Only a square matrix has a determinant or an inverse. Print its shape. Is a square part "
+        "of it meant, or are there more equations than unknowns? Then it takes least squares.",
     ),
     (
         "ValueError",

@@ -210,8 +210,8 @@ HOMOGRAPHY_DLT = Exercise(
         ),
         Misconception(
             wrong.eight_vectors_of_nine,
-            "Four points make only eight rows. Without its full matrices the SVD leaves out the ninth "
-            "vector. Which one do you need?",
+            "Four points make only eight rows. Without its full matrices the SVD leaves out the "
+            "ninth vector. Which one do you need?",
         ),
         Misconception(
             wrong.u_and_v_exchanged_in_the_rows,
