@@ -179,10 +179,10 @@ def _length_cost(pyceres: Any) -> Any:
 
         def Evaluate(self, parameters: Any, residuals: Any, jacobians: Any) -> bool:
             q = parameters[0][:4]
-            residuals[0] = 1e6 * (q @ q - 1)
+            residuals[0] = 1e7 * (q @ q - 1)
             if jacobians is not None and jacobians[0] is not None:
                 jacobians[0][:] = 0
-                jacobians[0][:4] = 2e6 * q
+                jacobians[0][:4] = 2e7 * q
             return True
 
     return Length()

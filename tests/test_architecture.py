@@ -40,6 +40,7 @@ MATHEMATICS = {
     "distortion_pixels",
     "distortion_series",
     "division_model",
+    "epipolar",
     "euler",
     "exponential",
     "exposure",
@@ -76,9 +77,11 @@ MATHEMATICS = {
     "sensor",
     "sensor_model",
     "shutter",
+    "similarity",
     "stereo_calibration",
     "tone",
     "transforms",
+    "triangulation",
     "zhang",
 }
 #: Modules of data_generators that write submissions; they stand above the exercises.

@@ -11,7 +11,7 @@ import numpy as np
 from course_lib.bundle.block import Indices
 from course_lib.bundle.derivatives import Position
 from course_lib.checks import Array
-from course_lib.orientation.similarity import similarity_transform
+from course_lib.similarity import similarity_transform
 
 
 def free_numbers(position: Position, fixed: bool) -> Indices:

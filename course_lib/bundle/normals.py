@@ -228,8 +228,8 @@ def solve_normal_block(
     Examples
     --------
     >>> one = np.eye(3)[None]
-    >>> solve_normal_block(2 * np.eye(3), one, one, [1, 0, 0], [[0, 1, 0]])
-    (array([-1.,  1.,  0.]), array([[ 1., -2.,  0.]]))
+    >>> solve_normal_block(2 * np.eye(3), one, one, [1, 0, 3], [[0, 1, 1]])
+    (array([-1.,  1., -2.]), array([[ 1., -2.,  1.]]))
     """
     U, W, V = check_numbers(U, "U"), check_numbers(W, "W"), check_numbers(V, "V")
     g_c, g_p = check_numbers(g_c, "g_c"), check_numbers(g_p, "g_p")

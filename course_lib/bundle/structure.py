@@ -51,7 +51,7 @@ class Structure:
         by_cameras = np.argsort(key, kind="stable")
         left, right, key = left[by_cameras], right[by_cameras], key[by_cameras]
         names, first = np.unique(key, return_index=True)
-        last = np.append(first[1:], len(key))
+        last = np.append(first, len(key))[1:]
         i, j = np.divmod(names, cameras)
         pairs = list(zip(i.tolist(), j.tolist(), first.tolist(), last.tolist(), strict=True))
         return cls(seen, order, cameras, points, bounds, left, right, pairs)

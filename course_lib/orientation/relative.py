@@ -1,0 +1,186 @@
+"""Relative orientation as photogrammetry does it: one picture of a pair placed by the other.
+
+Two nearly parallel pictures, taken side by side: the first stays, the second is turned by omega,
+phi and kappa and its centre moves across the base, until corresponding rays meet. Five numbers;
+the length of the base stays open.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.checks import (
+    Array,
+    DegenerateConfigurationError,
+    check_intrinsics,
+    check_rotation,
+    check_vector,
+)
+from course_lib.correspondences import check_correspondences
+from course_lib.euler import (
+    CV_FROM_PHOTOGRAMMETRIC,
+    omega_phi_kappa_from_rotation,
+    rotation_from_omega_phi_kappa,
+)
+from course_lib.least_squares import levenberg_marquardt
+from course_lib.orientation.three_points import unit_rays
+
+
+class RelativeOrientation(NamedTuple):
+    """The second picture of a pair, placed by the first.
+
+    Attributes
+    ----------
+    base : ndarray, shape (3,)
+        Second centre in the image axes of the first (x right, y up, z backwards), ``(1, by, bz)``.
+    angles : ndarray, shape (3,)
+        omega, phi, kappa of the second picture in the axes of the first, rad.
+    sigma : ndarray, shape (5,)
+        Standard deviations of ``by, bz, omega, phi, kappa``, judged by the residuals.
+    residuals : ndarray, shape (N,)
+        By how much rays miss each other, as an angle in the pictures, px.
+    """
+
+    base: Array
+    angles: Array
+    sigma: Array
+    residuals: Array
+
+    @property
+    def pose(self) -> tuple[Array, Array]:
+        """R and t of the course, first camera to second, ``X₂ = R X₁ + t``, base along x 1."""
+        return pose_from_relative(self.base, self.angles)
+
+
+def pose_from_relative(base: ArrayLike, angles: ArrayLike) -> tuple[Array, Array]:
+    """Return the pose, first camera to second, of a relative orientation.
+
+    Parameters
+    ----------
+    base : array_like, shape (3,)
+        Second centre in the image axes of the first: x right, y up, z backwards.
+    angles : array_like, shape (3,)
+        omega, phi, kappa of the second in those axes, rad.
+
+    Returns
+    -------
+    R, t : ndarray, shape (3, 3) and (3,)
+        ``X₂ = R X₁ + t`` between the camera frames of the course.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a shape is wrong or a number is not finite.
+
+    References
+    ----------
+    K. Kraus, Photogrammetry, 2nd ed., section 4.3 (relative orientation).
+
+    Examples
+    --------
+    >>> pose_from_relative([1, 0, 0], [0, 0, 0])[1] + 0.0
+    array([-1.,  0.,  0.])
+    """
+    base, angles = check_vector(base, 3, "base"), check_vector(angles, 3, "angles")
+    second = rotation_from_omega_phi_kappa(*angles.tolist())
+    return second @ CV_FROM_PHOTOGRAMMETRIC, -second @ base
+
+
+def relative_from_pose(R: ArrayLike, t: ArrayLike) -> tuple[Array, Array]:
+    """Return base and angles of a pose, first camera to second: `pose_from_relative` backwards.
+
+    Parameters
+    ----------
+    R, t : array_like, shape (3, 3) and (3,)
+        ``X₂ = R X₁ + t``.
+
+    Returns
+    -------
+    base, angles : ndarray, shape (3,)
+        As `pose_from_relative` takes them; the base in the unit of `t`.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a shape is wrong, a number is not finite or `R` is no rotation.
+    DegenerateConfigurationError
+        In gimbal lock: phi is ±π/2.
+    """
+    R, t = check_rotation(R), check_vector(t, 3, "t")
+    second = R @ CV_FROM_PHOTOGRAMMETRIC
+    return -second.T @ t, omega_phi_kappa_from_rotation(second)
+
+
+def relative_orientation(
+    first: ArrayLike, second: ArrayLike, K: ArrayLike, K_second: ArrayLike | None = None
+) -> RelativeOrientation:
+    """Return the relative orientation of two nearly parallel pictures taken side by side.
+
+    Parameters
+    ----------
+    first, second : array_like, shape (N, 2)
+        N ≥ 6 pairs of pixels, freed from distortion.
+    K, K_second : array_like, shape (3, 3)
+        Intrinsics of the first camera, and of the second if they are others.
+
+    Returns
+    -------
+    RelativeOrientation
+        Base, angles, their standard deviations and residuals. The start is two parallel pictures,
+        the second to the right.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a shape is wrong, a number is not finite or there are fewer than six pairs.
+    DegenerateConfigurationError
+        If the rays do not fix five numbers, or the search finds no rest: the second centre is not
+        beside the first, or the pictures are turned too much.
+
+    References
+    ----------
+    K. Kraus, Photogrammetry, 2nd ed., section 4.3.
+    """
+    names = "pixels of the first", "pixels of the second"
+    one, other = check_correspondences(first, second, (2, 2), names, least=6)
+    K_one = check_intrinsics(K)
+    K_other = K_one if K_second is None else check_intrinsics(K_second)
+    rays = unit_rays(one, K_one), unit_rays(other, K_other)
+    f = float(K_one[0, 0])
+
+    def problem(p: Array) -> tuple[Array, Array]:
+        missed = _missed(p, *rays)
+        steps = 1e-6 * np.eye(5)
+        slopes = [(_missed(p + e, *rays) - _missed(p - e, *rays)) / 2e-6 for e in steps]
+        return f * missed, f * np.stack(slopes, axis=1)
+
+    fit = levenberg_marquardt(problem, np.zeros(5))
+    sizes = np.linalg.norm(fit.jacobian, axis=0)
+    if not fit.converged or np.linalg.cond(fit.jacobian / sizes) > 1e7:
+        raise DegenerateConfigurationError(
+            "the rays do not fix a relative orientation: the points lie on a surface that leaves "
+            "it open, or the second centre is not beside the first; start from the essential matrix"
+        )
+    return RelativeOrientation(
+        np.append(1.0, fit.parameters[:2]), fit.parameters[2:], fit.sigma, fit.residuals
+    )
+
+
+def _missed(p: Array, one: Array, other: Array) -> Array:
+    """Return by how much rays miss each other: the coplanarity condition, as an angle.
+
+    ``x₂ᵀ E x₁ = 0``, over the length of its gradient by both directions.
+    """
+    R, t = pose_from_relative([1, p[0], p[1]], p[2:])
+    E = np.cross(t, R.T).T  # [t]ₓ R
+    lines, back = one @ E.T, other @ E
+    value = (other * lines).sum(axis=1)
+    # Only the parts across the rays can move them.
+    across = [
+        (line**2).sum(axis=1) - (line * ray).sum(axis=1) ** 2
+        for line, ray in ((lines, other), (back, one))
+    ]
+    return np.asarray(value / np.sqrt(across[0] + across[1]))
