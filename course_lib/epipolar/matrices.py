@@ -143,7 +143,7 @@ def transfer_and_epipole(P1: ArrayLike, P2: ArrayLike) -> tuple[Array, Array, Ar
     size = np.abs(P2[:, :3]) @ np.abs(centre) + np.abs(P2[:, 3])
     if not (np.abs(e) > NO_BASELINE * size).any():
         raise DegenerateConfigurationError(SAME_PLACE)
-    return P2[:, :3] @ inverse, e, centre, inverse
+    return P2[:, :3] @ inverse, e, centre, np.asarray(inverse)
 
 
 def fundamental_from_cameras(P1: ArrayLike, P2: ArrayLike) -> Array:

@@ -1,0 +1,5 @@
+"""Triangulation."""
+
+from course_lib.triangulation.two_views import triangulate
+
+__all__ = ["triangulate"]
