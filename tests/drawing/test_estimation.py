@@ -54,7 +54,7 @@ FIGURES = {
     "two_views": draw.two_views,
 }
 NO_FIGURES = {"BLOCKS", "GOALS", "LOADS", "PIXELS", "SHEET"}
-NO_FIGURES |= {"building", "found", "outer_four", "readings", "rendered_building"}
+NO_FIGURES |= {"building", "found", "outer_four", "readings", "rendered_building", "through"}
 
 
 @pytest.fixture(scope="module", params=FIGURES)
@@ -85,7 +85,7 @@ class TestEachFigure(Legible):
         r"\$10\^\{-6\}\$",
         "bays",
         "floors",
-        "no unit",
+        "cells",
     )
     WHITE_ON_DARK = True
 
@@ -110,6 +110,14 @@ def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
 def test_a_matrix_that_maps_no_plane_straightens_none(H):
     figure = draw.straightened(WALL, H)
     assert [text.get_text() for text in figure.axes[1].texts] == ["no homography yet"]
+    assert draw.through([[1, 2]], H) is None
+
+
+def test_points_go_through_a_students_homography():
+    np.testing.assert_allclose(
+        draw.through([[1, 2], [3, 4]], np.diag([2, 3, 1])), [[2, 6], [6, 12]]
+    )
+    assert draw.through([[1, 2]], None) is None
 
 
 @pytest.mark.parametrize(

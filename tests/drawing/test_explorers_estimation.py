@@ -128,7 +128,7 @@ def test_a_dragged_corner_moves_its_own_two_controls():
 
 def test_three_corners_on_a_line_make_no_wall():
     frame = WALL(110, 290, 350, 290, 230, 185, 110, 80)
-    assert "three of them on a line" in frame.readouts[0].value
+    assert frame.readouts[0].value == "three corners lie on one line"
     assert frame.pictures[1].image is None
     assert "no homography" in frame.pictures[1].alt
 
@@ -176,6 +176,18 @@ def test_the_ellipse_holds_most_of_the_tries():
     inside = np.einsum("ni,ij,nj->n", spots - centre, np.linalg.inv(shape), spots - centre) < 1
     assert len(spots) == noise.TRIALS
     assert inside.mean() > 0.75
+
+
+def test_the_enlarged_view_keeps_its_scale_and_counts_what_is_outside():
+    small, large = NOISE(24, 0.1, 120, 1).pictures[2], NOISE(6, 2, 120, 1).pictures[2]
+    ticks = [[label.text for label in p.labels if "100" in label.text] for p in (small, large)]
+    assert ticks[0] == ticks[1] != []
+    found = noise.centres(noise.pins(6, 120), 2, 1) - noise._camera().centre
+    outside = int((np.abs(found[:, :2]) > 100).any(axis=1).sum())
+    assert outside > 0
+    assert len(by_role(large, "object")) == noise.TRIALS - outside + 1
+    assert f"{outside} of them are outside" in [label.text for label in large.labels]
+    assert not [label for label in small.labels if "outside" in label.text]
 
 
 def test_pins_in_one_plane_find_no_camera():

@@ -217,7 +217,7 @@ def test_the_wall_of_the_explorer():
     says("(76, 321), (351, 288), (347, 98), (85, 26)", "1.00 m × 1.30 m")
     start = wall_explorer.START.copy()
     start[2] = 230, 185
-    assert "on a line" in wall_explorer.homography_frame(*start.ravel()).readouts[0].value
+    assert "on one line" in wall_explorer.homography_frame(*start.ravel()).readouts[0].value
     says('two sliders "Top right" to 230 and 185', "12.0 m wide and 8.2 m high")
 
 

@@ -30,6 +30,7 @@ from course_lib.drawing.estimation.wall import (
     outer_four,
     rendered_building,
     straightened,
+    through,
 )
 from course_lib.drawing.explorers.least_squares import LOADS, readings
 
@@ -55,6 +56,7 @@ __all__ = [
     "slipped_gauge",
     "straightened",
     "strain_line",
+    "through",
     "too_high",
     "two_views",
 ]

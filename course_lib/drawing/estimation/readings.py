@@ -50,9 +50,9 @@ def one_unknown(yours: float | None = None) -> Figure:
     ends = np.array([0, 4.6])
     left.plot(ends, x * ends, color=ROLES["camera"], label="smallest sum of squares")
     for a, b in zip(BLOCKS, PIXELS, strict=True):
-        left.plot([a, a], [x * a, x * a + 4 * (b - x * a)], color=ROLES["object"], lw=3)
-        left.plot(a, x * a + 4 * (b - x * a), "o", color=BLACK, ms=6)
-    write(left, (0.3, 41), "residuals drawn\n4 times as long", "object", ha="left", fontsize=9)
+        left.plot([a, a], [x * a, x * a + 4 * (b - x * a)], color=ROLES["object"], lw=4)
+        left.plot(a, b, "o", color=BLACK, ms=4)
+    write(left, (0.3, 41), "bars: residuals,\n4 times as long", "object", ha="left", fontsize=9)
     left.set(xlabel="length of the block (cm)", ylabel="its image (px)", xlim=ends, ylim=(0, 50))
     tried = np.linspace(9.55, 11.02, 121)
     sums = ((np.outer(tried, BLOCKS) - PIXELS) ** 2).sum(axis=1)
@@ -85,7 +85,10 @@ def shadows() -> Figure:
     b = np.array([1.0, 0.5, 2.1])
     a, second = np.array([1.9, -0.5, 0.55]), np.array([0.5, 1.9, 0.25])
     for ax, columns, words in zip(
-        axes, ([a], [a, second]), ("one unknown: a line", "two unknowns: a plane"), strict=True
+        axes,
+        ([a], [a, second]),
+        ("one unknown: a line (schematic)", "two unknowns: a plane (schematic)"),
+        strict=True,
     ):
         sketch(ax, words)
         _shadow(ax, np.array(columns).T, b)

@@ -112,6 +112,7 @@ def correction(
     )
     middles = np.stack(np.meshgrid(u, v), -1).reshape(-1, 2)
     _arrows(ax, middles, entries.reshape(-1, 2), times, ROLES["object"], 0.0045)
+    ax.set_title(f"{rows} × {columns} cells, arrows {times:g} times as long")
     return fig
 
 
@@ -144,7 +145,7 @@ def held_out(pixels: ArrayLike, residuals: ArrayLike) -> Figure:
     ax.semilogx(cells, unseen, "o-", color=ROLES["object"], label="points it has not seen")
     best = int(np.argmin(unseen))
     ax.plot(cells[best], unseen[best], "o", ms=16, mfc="none", mec=BLACK, mew=1.5)
-    ax.set(xlabel="cells of the table (no unit)", ylabel="residual, RMS (px)", ylim=(0, None))
+    ax.set(xlabel="size of the table (cells)", ylabel="residual, RMS (px)", ylim=(0, None))
     ax.set_xticks(cells, [str(c) for c in cells])
     ax.minorticks_off()
     ax.legend(loc="lower left")

@@ -213,5 +213,7 @@ def residual_field(
         look: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1 / times}
         ax.quiver(*at.T, *left.T, color=ROLES["object"], width=0.004, **look)
         ax.plot(*at.T, ".", color=GREY, ms=3)
-        ax.set_title(f"{title}: {np.sqrt((left**2).sum(axis=1).mean()):.2f} px")
+        ax.set_title(f"{title}: {np.sqrt((left**2).sum(axis=1).mean()):.2f} px (RMS)")
+    note = f"arrows drawn {times:g} times as long"
+    fig.suptitle(note, fontsize=9, color=GREY, x=0.99, ha="right")
     return fig

@@ -142,6 +142,25 @@ def straightened(wall: Wall, H: ArrayLike | None, used: ArrayLike | None = None)
     return fig
 
 
+def through(points: ArrayLike, H: ArrayLike | None) -> Floats | None:
+    """Return points after a student's homography; None if it is not one.
+
+    Parameters
+    ----------
+    points : array_like, shape (N, 2)
+        Points of the plane.
+    H : array_like, shape (3, 3), optional
+        Whatever a student's function gave.
+
+    Returns
+    -------
+    ndarray, shape (N, 2), or None
+        Where they go.
+    """
+    usable = _usable(H)
+    return None if usable is None else apply_homography(points, usable)
+
+
 def _usable(H: ArrayLike | None) -> Floats | None:
     """Return H as an array if it maps the plane to a plane, whatever a student's function gave."""
     drawn = same_shape(H, np.zeros((3, 3)))

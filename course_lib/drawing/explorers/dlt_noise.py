@@ -21,8 +21,7 @@ PLAN_SIZE, ZOOM_SIZE = (300, 300), (300, 300)
 K = np.array([[820.0, 0, 319.5], [0, 820, 239.5], [0, 0, 1]])
 PLATE = np.array([[-30.0, -30, 0], [450, -30, 0], [450, 330, 0], [-30, 330, 0]])  # mm
 PLAN = Plot((12, 288, 12, 288), (-150, 950), (-650, 450))
-#: Half the width of the zoomed view, mm: the first that holds the ellipse.
-REACHES = (0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
+REACH = 100.0  # mm: half the width of the enlarged view, always the same so that one can compare
 
 
 def dlt_noise_frame(n: int, sigma: float, h: float, draw: int) -> Frame:
@@ -176,27 +175,30 @@ def _cloud(plot: Plot, found: Floats, outline: Floats | None) -> list[Line]:
 
 
 def _zoom(found: Floats, outline: Floats, spread: Floats) -> Picture:
-    """Return the surroundings of the camera from above, as large as the scatter needs."""
+    """Return the surroundings of the camera from above, and how many tries are beyond them."""
     centre = _camera().centre[:2]
-    need = np.abs(outline - centre).max()
-    reach = next((r for r in REACHES if r >= need), REACHES[-1])
-    plot = Plot((44, 286, 26, 262), (-reach, reach), (-reach, reach))
-    shifted = np.column_stack([found[:, :2] - centre, found[:, 2]])
-    spots = plot.pixels(shifted[:, 0], shifted[:, 1])
+    plot = Plot((44, 286, 26, 262), (-REACH, REACH), (-REACH, REACH))
+    spots = plot.pixels(*(found[:, :2] - centre).T)
+    near = spots[np.isfinite(spots).all(axis=1)]
     lines = [
         plot.frame(),
-        *(Line(disc(at, 2.5), "object", 1.0, closed=True, fill=1.0) for at in spots),
+        *(Line(disc(at, 2.5), "object", 1.0, closed=True, fill=1.0) for at in near),
     ]
     lines.append(Line(plot.pixels(*(outline - centre).T), "object", 1.5))
     lines.append(Line(disc(plot.pixels(0, 0)[0], 7), "camera", 2.5, closed=True))
-    ticks = (-reach, 0, reach)
+    ticks, beyond = (-REACH, 0, REACH), len(spots) - len(near)
+    note = (Label(f"{beyond} of them are outside", (165, 42), anchor="middle"),) if beyond else ()
     return Picture(
         f"{TRIALS} tries, enlarged",
         f"{TRIALS} tries scatter around the camera's true place: {spread[0]:.2f} mm the longest "
         f"way, {spread[1]:.2f} mm the shortest. The ellipse has twice these radii.",
         ZOOM_SIZE,
         lines=tuple(lines),
-        labels=(*plot.ticks(ticks, ticks), *plot.names("error in x (mm)", "error in y (mm)")),
+        labels=(
+            *plot.ticks(ticks, ticks),
+            *plot.names("error in x (mm)", "error in y (mm)"),
+            *note,
+        ),
     )
 
 

@@ -51,10 +51,9 @@ def homography_frame(
     corners = np.array([[u1, v1], [u2, v2], [u3, v3], [u4, v4]])
     try:
         H = homography_dlt(corners, _truth()[0])
-    except DegenerateConfigurationError as error:
-        return Frame(
-            (_photograph(corners, None), _nothing()), (Readout("No homography", "", str(error)),)
-        )
+    except DegenerateConfigurationError:  # of four corners there is no other reason
+        why = Readout("No homography", "", "three corners lie on one line")
+        return Frame((_photograph(corners, None), _nothing()), (why,))
     measured = apply_homography(_truth()[1], H)
     width, height = _extent(measured)
     readouts = (
