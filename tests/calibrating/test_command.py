@@ -4,7 +4,9 @@ import sys
 
 import numpy as np
 import pytest
+from real_data import fetched
 
+from course_lib import data
 from course_lib.calibration_files import read_camera
 from course_lib.cli import main
 
@@ -105,6 +107,28 @@ class TestCalibrate:
         with pytest.raises(SystemExit):
             main(["calibrate", "x", "--board", "nine by six", "--square", "30"])
         assert "write it like 9x6" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("folder", "board", "focal", "rms"),
+    [
+        # Bouguet published 533.523, BoofCV 701.01 with two coefficients.
+        ("opencv_stereo/left", ["9x6", "--square", "30"], (533.52, 0.5), 0.165),
+        (
+            "boofcv/Sony_DSC-HX5V_Chess",
+            ["4x6", "--square", "30", "--coefficients", "k1,k2"],
+            (701.01, 3.0),
+            0.16,
+        ),
+    ],
+)
+def test_real_photographs(folder, board, focal, rms, tmp_path):
+    names = [name for name in data.names(folder) if name.endswith(".jpg")]
+    photos = [str(fetched(name)) for name in names]
+    assert main(["calibrate", *photos, "--board", *board, "--output", str(tmp_path)]) == 0
+    camera = read_camera(tmp_path / "camera.json")
+    assert camera.K[0, 0] == pytest.approx(focal[0], abs=focal[1])
+    assert camera.rms < rms
 
 
 def test_a_terminal_that_lacks_characters(tmp_path, monkeypatch):
