@@ -91,10 +91,10 @@ function figure(dragged) {
       const value = interpolate(probe, floats, u / (w - 1), v / (h - 1));
       if (Number.isFinite(value)) texts.push(`${probe.label} ${value.toFixed(probe.digits)}${probe.gap}${probe.unit}`);
     }
-    const near = picture.marks ? nearest(picture.marks, floats, u, v) : -1;
+    const near = picture.marks ? nearestMark(picture.marks, floats, u, v) : -1;
     if (near >= 0) {
-      ring(context, picture.marks, floats, near, style, w / width);
-      texts.push(...said(picture.marks, floats, near));
+      ringMark(context, picture.marks, floats, near, style, w / width);
+      texts.push(...saidOfMark(picture.marks, floats, near));
     }
     rewrite(reading, texts.join("  ·  "));
   }
@@ -259,7 +259,7 @@ function lettered(text, font, fillStyle, strokeStyle) {
   return { canvas, margin };
 }
 
-function nearest({ points }, floats, u, v) {
+function nearestMark({ points }, floats, u, v) {
   let best = -1, least = Infinity;
   for (let i = 0; i < points.count; i += 2) {
     const far = (floats[points.start + i] - u) ** 2 + (floats[points.start + i + 1] - v) ** 2;
@@ -268,7 +268,7 @@ function nearest({ points }, floats, u, v) {
   return best;
 }
 
-function ring(context, { points }, floats, index, { ink }, pixel) {
+function ringMark(context, { points }, floats, index, { ink }, pixel) {
   const at = points.start + 2 * index;
   for (const [lineWidth, strokeStyle] of [[5, ink("paper")], [2, ink("camera")]]) {
     Object.assign(context, { lineWidth: lineWidth * pixel, strokeStyle });
@@ -278,7 +278,7 @@ function ring(context, { points }, floats, index, { ink }, pixel) {
   }
 }
 
-function said({ values, names, units, digits, gaps }, floats, index) {
+function saidOfMark({ values, names, units, digits, gaps }, floats, index) {
   const own = values.start + index * names.length;
   return names.map((name, i) => `${name} ${floats[own + i].toFixed(digits[i])}${gaps[i]}${units[i]}`);
 }
