@@ -20,6 +20,8 @@ from course_lib.checks import Array, DegenerateConfigurationError, check_length
 
 Gauge = Literal["inner", "fixed"]
 FIRST_DAMPING, LEAST_DAMPING = 1e-4, 1e-10
+#: A step that gains less, as a share of the cost, is near the minimum.
+NEAR = 0.005
 #: With more damping a step is too short to change anything.
 TOO_STIFF = 1e12
 #: Residuals of so many standard deviations are rounding.
@@ -100,16 +102,13 @@ class BundleAdjustment:
         """The covariances of cameras and points, scaled by `sigma0`."""
         position, structure, survey, weights, gauge = self._parts
         gap = position.X - survey.places
-        normals = normal_equations(
-            position.image(structure.seen),
-            structure,
-            np.sqrt(weights),
-            survey.held,
-            survey.weights,
-            gap,
-        )
+        seen = position.image(structure.seen).weighted(np.sqrt(weights))
+        normals = normal_equations(seen, structure, survey.held, survey.weights, gap)
         free = free_numbers(position, gauge is not None)
-        return precision(normals, position, structure, free, gauge == "inner", self.sigma0**2)
+        found = precision(normals, position, structure, free, gauge == "inner", self.sigma0**2)
+        free_coordinates = 1 - survey.held
+        known = found.points * free_coordinates[:, None] * free_coordinates[:, :, None]
+        return Precision(found.cameras, known)
 
 
 def bundle_adjust(
@@ -231,11 +230,11 @@ class _Search(NamedTuple):
         cost = float(squares.sum() + (self.survey.weights * gap * gap).sum())
         return cost if np.isfinite(cost) else np.inf
 
-    def normals(self, position: Position, image: Image) -> Normals:
-        """Return the normal equations at a position."""
+    def normals(self, position: Position, image: Image, bent: bool = False) -> Normals:
+        """Return the normal equations at a position; bent as in `Image.weighted`."""
         survey, gap = self.survey, position.X - self.survey.places
-        scale = self.scale(image.residuals)
-        return normal_equations(image, self.structure, scale, survey.held, survey.weights, gap)
+        seen = image.weighted(self.scale(image.residuals), bent)
+        return normal_equations(seen, self.structure, survey.held, survey.weights, gap)
 
     def run(
         self, position: Position, steps: int, tolerance: float
@@ -259,7 +258,9 @@ class _Search(NamedTuple):
                 return position, tuple(costs), settled
             damping = max(damping * (0.1 if kept > 0.7 else 1 if kept > 0.3 else 10), LEAST_DAMPING)
             if kept > 0:
-                normals = self.normals(position, image)
+                # Far away, curvature misleads; near the minimum it saves many steps.
+                bent = costs[-2] - costs[-1] < NEAR * costs[-2]
+                normals = self.normals(position, image, bent)
         return position, tuple(costs), False
 
     def step(self, normals: Normals, damping: float) -> tuple[Array, Array]:

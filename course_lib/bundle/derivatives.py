@@ -22,6 +22,11 @@ from course_lib.checks import (
     check_vector,
 )
 
+#: Derivatives by turns and by moves, (2, 3, m), and residuals, (2, m).
+Weighted = tuple[Array, Array, Array]
+#: How much of the curvature along a far residual is taken out; all would leave a point loose.
+BENT = 0.95
+
 
 @dataclass(frozen=True, eq=False)
 class Position:
@@ -116,6 +121,29 @@ class Image:
         np.multiply(fy * near, R[1], out=moves[1])
         moves[1] -= (down * near) * R[2]
         return turns, moves
+
+    def weighted(self, scale: Array, bent: bool = False) -> Weighted:
+        """Return derivatives and residuals, each observation's times a scale, (m,).
+
+        The cost of a far residual grows with its length, not with the square. Along itself it is
+        not curved at all; `bent` takes that out of the products of derivatives, and leaves the
+        gradients as they are: the steps get longer, and fewer.
+
+        References
+        ----------
+        B. Triggs et al., "Bundle adjustment: a modern synthesis" (2000), section 4.3.
+        """
+        turns, moves = self.derivatives(scale)
+        residuals = self.residuals * scale
+        far = np.flatnonzero(scale < 1) if bent else np.zeros(0, np.intp)
+        if len(far):
+            r = residuals[:, far]
+            r = r / np.sqrt((r * r).sum(axis=0))
+            for slopes in (turns, moves):
+                part = slopes[:, :, far]
+                slopes[:, :, far] = part - BENT * r[:, None] * (r[:, None] * part).sum(axis=0)
+            residuals[:, far] /= 1 - BENT
+        return turns, moves, residuals
 
 
 def reprojection_jacobian(

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.bundle.block import Indices
-from course_lib.bundle.derivatives import Image
+from course_lib.bundle.derivatives import Weighted
 from course_lib.bundle.structure import Structure
 from course_lib.checks import Array, DegenerateConfigurationError, check_numbers
 
@@ -107,18 +107,16 @@ class Eliminated:
 
 
 def normal_equations(
-    image: Image, structure: Structure, scale: Array, held: Array, weights: Array, gap: Array
+    seen: Weighted, structure: Structure, held: Array, weights: Array, gap: Array
 ) -> Normals:
     """Return the normal equations at a position.
 
     Parameters
     ----------
-    image : Image
-        What the cameras see of the points.
+    seen : Weighted
+        Derivatives and residuals of all observations.
     structure : Structure
         What was seen.
-    scale : ndarray, shape (m,)
-        Root of each observation's robust weight.
     held : ndarray, shape (n, 3)
         1 for coordinates of points that do not move, else 0.
     weights, gap : ndarray, shape (n, 3)
@@ -129,14 +127,14 @@ def normal_equations(
     Normals
         The blocks.
     """
-    turns, moves = image.derivatives(scale)
-    residuals = image.residuals * scale
-    rows = np.empty((len(scale), 2, 7))
+    turns, moves, residuals = seen
+    count = residuals.shape[1]
+    rows = np.empty((count, 2, 7))
     rows[:, :, :3], rows[:, :, 3:6] = turns.transpose(2, 0, 1), -moves.transpose(2, 0, 1)
     rows[:, :, 6] = residuals.T
     parts = [rows[a:b].reshape(-1, 7) for a, b in pairwise(structure.bounds)]
     products = np.stack([part.T @ part for part in parts])
-    W = np.empty((3, 6, len(scale)))
+    W = np.empty((3, 6, count))
     W[:, :3] = moves[0][:, None] * turns[0]
     W[:, :3] += moves[1][:, None] * turns[1]
     for i, j in LOWER:

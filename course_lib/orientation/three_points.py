@@ -101,24 +101,13 @@ def _ratios(squares: Array, cosines: Array) -> Array:
     a, b, c = squares.T
     ca, cb, cg = cosines.T
     p, q, r = (a - c) / b, (a + c) / b, c / b
-    quartic = np.stack(
-        [
-            (p - 1) ** 2 - 4 * r * ca**2,
-            4 * (p * (1 - p) * cb - (1 - q) * ca * cg + 2 * r * ca**2 * cb),
-            2
-            * (
-                p**2
-                - 1
-                + 2 * p**2 * cb**2
-                + 2 * (1 - r) * ca**2
-                - 4 * q * ca * cb * cg
-                + 2 * (1 - a / b) * cg**2
-            ),
-            4 * (-p * (1 + p) * cb + 2 * a / b * cg**2 * cb - (1 - q) * ca * cg),
-            (1 + p) ** 2 - 4 * a / b * cg**2,
-        ],
-        axis=1,
-    )
+    A4 = (p - 1) ** 2 - 4 * r * ca**2
+    A3 = 4 * (p * (1 - p) * cb - (1 - q) * ca * cg + 2 * r * ca**2 * cb)
+    A2 = 2 * (p**2 - 1 + 2 * p**2 * cb**2 + 2 * (1 - r) * ca**2)
+    A2 += 4 * (1 - a / b) * cg**2 - 8 * q * ca * cb * cg
+    A1 = 4 * (2 * a / b * cg**2 * cb - p * (1 + p) * cb - (1 - q) * ca * cg)
+    A0 = (1 + p) ** 2 - 4 * a / b * cg**2
+    quartic = np.stack([A4, A3, A2, A1, A0], axis=1)
     largest = np.abs(quartic).max(axis=1, keepdims=True)
     first = np.where(np.abs(quartic[:, :1]) > 1e-14 * largest, quartic[:, :1], 1e-14 * largest)
     companion = np.zeros((len(a), 4, 4))
