@@ -59,3 +59,37 @@ def test_the_name_is_that_of_the_first_form():
     cases = pose(EXERCISE, 3)
     found = judge(EXERCISE, cases, answer(EXERCISE, upside_down, cases))
     assert found.misconceptions == ("divided",)
+
+
+def unpacked(values, factor):
+    first, second = np.full(3, values)
+    return first * factor + second
+
+
+def unpacked_elsewhere(values, factor):
+    one, other = range(round(9 + factor))  # too many, but another number of them
+    return one * other
+
+
+RAISING = Exercise(
+    "demo",
+    scaled,
+    parts={"plain": drawn},
+    misconceptions=[Misconception(unpacked, "How many values are there?")],
+)
+
+
+@pytest.mark.parametrize(
+    ("function", "hints"),
+    [
+        (lambda values, factor: np.full(3, values) * np.full(5, factor), ()),
+        (lambda values, factor: float("many"), ()),
+        (unpacked, ("How many values are there?",)),
+        (unpacked_elsewhere, ("How many values are there?",)),
+    ],
+)
+def test_the_same_exception_for_another_reason_is_another_mistake(function, hints):
+    cases = pose(RAISING, 3)
+    answers = answer(RAISING, function, cases)
+    assert {(a.status, a.error) for a in answers} == {("raised", "ValueError")}
+    assert judge(RAISING, cases, answers).hints == hints

@@ -115,7 +115,7 @@ def _shadow(ax: Axes, A: Floats, b: Floats) -> None:
     _named(ax, view.project(0.55 * (foot + b)), (44, 0), "residual")
     _named(ax, view.project(foot), (52, 22), f"{names[0]}: best", "camera")
     _named(ax, view.project(far), (0, -16), names[1], "camera")
-    ax.set(xlim=(100, 690), ylim=(380, 60))
+    ax.set(xlim=(100, 690), ylim=(430, 60))
 
 
 def _named(ax: Axes, at: Floats, off: tuple[float, float], text: str, role: str = "guide") -> None:

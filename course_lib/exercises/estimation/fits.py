@@ -171,11 +171,15 @@ FIT_AFFINE = Exercise(
         Misconception(
             wrong.two_columns_of_ones,
             "`np.ones_like` of a table is a table. How many ones does each row of the design need?",
-            also=[wrong.two_columns_of_ones_left_transposed],
+            also=[
+                wrong.two_columns_of_ones_left_transposed,
+                wrong.two_columns_of_ones_in_normal_equations,
+            ],
         ),
         Misconception(
             wrong.all_that_lstsq_returns_for_a_map,
             "`np.linalg.lstsq` returns four things. Which of them is the solution?",
+            also=[wrong.lstsq_transposed_at_once],
         ),
         Misconception(
             wrong.first_three_points,

@@ -220,6 +220,16 @@ def two_columns_of_ones_left_transposed(points, targets):
     return _solved(_with_two_ones(points), targets).T
 
 
+def two_columns_of_ones_in_normal_equations(points, targets):
+    X = _with_two_ones(points)
+    return (np.linalg.inv(X.T @ X) @ X.T @ targets).T
+
+
+def lstsq_transposed_at_once(points, targets):
+    found: Any = np.linalg.lstsq(_with_ones(points), targets)
+    return found.T
+
+
 def all_that_lstsq_returns_for_a_map(points, targets):
     return np.linalg.lstsq(_with_ones(points), targets)
 

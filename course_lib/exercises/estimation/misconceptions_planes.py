@@ -152,6 +152,11 @@ def u_and_v_exchanged_in_the_rows(points, targets):
     return _undone(_design(p, q[:, ::-1]), points, targets)
 
 
+def points_exchanged_in_the_rows(points, targets):
+    p, q = normalised(points)[0], normalised(targets)[0]
+    return _undone(_design(p[:, ::-1], q), points, targets)
+
+
 def targets_exchanged(points, targets):
     return from_exchanged(points, targets[:, ::-1])
 

@@ -29,8 +29,7 @@ APPLY_HOMOGRAPHY = Exercise(
         ),
         Misconception(
             wrong_points.divided_by_one_long_row,
-            "Taken as `p[:, 2]`, the w are one long row. What does section 4 write to keep them a "
-            "column, one w for each point?",
+            "Taken as `p[:, 2]`, the w are one long row. What keeps them a column?",
             also=[wrong_points.divided_by_one_long_row_of_any],
         ),
         Misconception(
@@ -70,10 +69,7 @@ APPLY_HOMOGRAPHY = Exercise(
             "You take the sign of w away. What if all three numbers are negative: is it another "
             "point then?",
         ),
-        Misconception(
-            wrong_points.v_before_u,
-            "Which row of H makes the first coordinate?",
-        ),
+        Misconception(wrong_points.v_before_u, "Which row of H makes the first coordinate?"),
     ],
     forbidden=("cv2.perspectiveTransform",),
 )
@@ -198,8 +194,7 @@ HOMOGRAPHY_DLT = Exercise(
         ),
         Misconception(
             wrong.rows_as_they_come_but_undone,
-            "You undo a normalising at the end. Are the numbers in your A normalised ones, the "
-            "points as well as the targets?",
+            "You undo a normalising at the end. Are all numbers in your A normalised ones?",
             also=[wrong.rows_of_points_as_they_come, wrong.rows_of_targets_as_they_come],
         ),
         Misconception(
@@ -217,7 +212,11 @@ HOMOGRAPHY_DLT = Exercise(
             wrong.u_and_v_exchanged_in_the_rows,
             "Which row of H makes the first coordinate of a target? In which rows of A does that "
             "coordinate stand, and is u the first one of your points?",
-            also=[wrong.targets_exchanged, wrong.points_exchanged],
+            also=[
+                wrong.targets_exchanged,
+                wrong.points_exchanged,
+                wrong.points_exchanged_in_the_rows,
+            ],
         ),
         Misconception(
             wrong.still_normalised,
