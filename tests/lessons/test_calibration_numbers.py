@@ -335,6 +335,30 @@ def test_standard_deviations(best, pixels):
     np.testing.assert_allclose(sigma, list(best.sigma.values()), rtol=1e-6)
 
 
+def test_more_and_more_views(pixels):
+    from course_lib.drawing.calibration.judging import first_views
+
+    two, every = first_views(pixels, 2), first_views(pixels, 13)
+    assert (two.K[0, 0], two.sigma["fx"]) == (about(537.7, 1), about(0.8, 1))
+    assert (two.K[0, 0] - every.K[0, 0]) / two.sigma["fx"] == about(5, 0)
+    says("two views say 537.7 ± 0.8 px, and that is five $\\sigma$ from the end")
+
+
+def test_the_longest_residual(best, wide):
+    lengths = np.linalg.norm(best.residuals, axis=2)
+    longest = np.argsort(lengths.ravel())[-2:]
+    assert {divmod(int(n), 54) for n in longest} == {(7, 53), (8, 0)}
+    assert lengths.ravel()[longest].tolist() == [about(0.43, 2)] * 2
+    says("Corner 53 of view 7 and corner 0 of view 8, both 0.43 px")
+    spoilt = np.linalg.norm(cal.calibrate(POINTS, wide, SIZE).residuals, axis=2)
+    long = np.argwhere(spoilt > 0.8)
+    assert set(long[:, 0].tolist()) == {1, 6, 8, 11}
+    assert (long[:, 0] == 1).mean() > 0.7
+    lower = np.sort(wide[1][:, 1])[-18:].min()  # two rows of nine, or three of six
+    assert np.mean([wide[1][k, 1] >= lower - 60 for v, k in long if v == 1]) > 0.8
+    says("Nearly all to view 1, a few to views 6, 8 and 11")
+
+
 def test_rays_where_no_corner_was(best, pixels):
     seen = np.vstack(pixels)
     at = np.array([[320.0, 240], [30, 240], [20, 20], [20, 460]])

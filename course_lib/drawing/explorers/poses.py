@@ -164,7 +164,7 @@ def _room(chosen: list[bool]) -> Picture:
         f"A camera and {sum(chosen)} boards before it: {_named(chosen)}.",
         ROOM_SIZE,
         lines=tuple(lines),
-        labels=(Label("camera", (u - 6, v + 14), "camera", "end"),),
+        labels=(Label("camera", (u + 6, v + 30), "camera", "middle"),),
     )
 
 

@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 
 #: How the corners were found, and how far the plot reaches, px.
 WAYS = {"corners fitted": 0.5, "OpenCV, window of 11 px": 4.2}
-CLOUD_SIZE, SHOWN_SIZE, NEAR_SIZE = (300, 300), (320, 240), (240, 240)
+CLOUD_SIZE, SHOWN_SIZE, NEAR_SIZE = (300, 310), (320, 240), (240, 240)
 NEAR = 24  # px that are enlarged
 TIMES = NEAR_SIZE[0] / NEAR
 
