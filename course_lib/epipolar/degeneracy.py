@@ -83,15 +83,16 @@ def find_degeneracy(
     threshold = check_length(threshold, "threshold")
     if (K1 is None) != (K2 is None):
         raise ValueError("give the intrinsics of both cameras, or of neither")
-    H = _main_homography(points1, points2, threshold)
+    H, kept = _main_homography(points1, points2, threshold)
     if not _explains(H, points1, points2, threshold):
         return "none"
     if K1 is None or K2 is None:
         return "plane or rotation"
     K1, K2 = check_intrinsics(K1), check_intrinsics(K2)
-    U, _, Vt = np.linalg.svd(np.linalg.inv(K2) @ H @ K1)
-    R = U @ Vt * np.linalg.det(U @ Vt)
-    turned = _explains(K2 @ R @ np.linalg.inv(K1), points1, points2, threshold)
+    inverse1: Array = np.linalg.inv(K1)
+    inverse2: Array = np.linalg.inv(K2)
+    R = _turn_between(_bearings(points1[kept], inverse1), _bearings(points2[kept], inverse2))
+    turned = _explains(K2 @ R @ inverse1, points1, points2, threshold)
     return "rotation" if turned else "plane"
 
 
@@ -101,8 +102,22 @@ def raise_degeneracy(found: Degeneracy) -> None:
         raise DegenerateConfigurationError(ADVICE[found])
 
 
-def _main_homography(points1: Array, points2: Array, threshold: float) -> Array:
-    """Return the homography of the pairs that fit one: again and again of the better half."""
+def _bearings(points: Array, inverse: Array) -> Array:
+    """Return the directions of pixels, unit vectors in rows."""
+    rays = to_homogeneous(points) @ inverse.T
+    return np.asarray(rays / np.linalg.norm(rays, axis=1, keepdims=True))
+
+
+def _turn_between(one: Array, other: Array) -> Array:
+    """Return the rotation that brings directions nearest to their partners (Kabsch)."""
+    U, _, Vt = np.linalg.svd(other.T @ one)
+    return np.asarray(U @ np.diag([1, 1, np.linalg.det(U @ Vt)]) @ Vt)
+
+
+def _main_homography(
+    points1: Array, points2: Array, threshold: float
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Return the homography that most pairs fit, and which: again and again of the better half."""
     kept: NDArray[np.bool_] = np.ones(len(points1), dtype=bool)
     for _ in range(ROUNDS):
         H = fit_homography(points1[kept], points2[kept])
@@ -112,7 +127,7 @@ def _main_homography(points1: Array, points2: Array, threshold: float) -> Array:
         if new.sum() < 4 or (new == kept).all():
             break
         kept = new
-    return H
+    return H, kept
 
 
 def _explains(H: Array, points1: Array, points2: Array, threshold: float) -> bool:

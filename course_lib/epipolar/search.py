@@ -168,6 +168,8 @@ def search(problem: Problem[G], confidence: float, most: int, rng: np.random.Gen
     DegenerateConfigurationError
         If no sample gives a geometry that fits more pairs than a sample has.
     """
+    if not most >= 1:
+        raise ValueError(f"most_samples must be 1 or more, got {most}")
     everyone = np.arange(problem.x1.shape[1])
     turn, drawn, needed = 0, 0, math.inf
     best: Found[G] | None = None

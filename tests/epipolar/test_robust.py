@@ -1,0 +1,98 @@
+"""Matches of which many are wrong."""
+
+import numpy as np
+import pytest
+from two_views import K, angle_between, scene, turn_between
+
+from course_lib.checks import DegenerateConfigurationError
+from course_lib.epipolar import (
+    ransac_fundamental,
+    ransac_iterations,
+    ransac_pose,
+    sampson_error,
+)
+
+
+def rng(seed=0):
+    return np.random.default_rng(seed)
+
+
+@pytest.mark.parametrize("wrong", [0.0, 0.3, 0.6])
+@pytest.mark.parametrize("seed", range(3))
+def test_wrong_matches_are_found(seed, wrong):
+    s = scene(seed, wrong=wrong)
+    F, fits = ransac_fundamental(s.points1, s.points2, rng(seed))
+    assert np.sqrt(np.mean(sampson_error(s.exact1, s.exact2, F)[s.right] ** 2)) < 0.25
+    assert np.linalg.svd(F)[1][2] < 1e-15
+    assert fits[s.right].mean() > 0.97  # three standard deviations
+    assert fits[~s.right].sum() <= 0.05 * len(fits)  # chance brings some near their line
+    np.testing.assert_array_equal(fits, sampson_error(s.points1, s.points2, F) <= 1.5)
+
+
+@pytest.mark.parametrize("wrong", [0.0, 0.3, 0.6])
+def test_pose_among_wrong_matches(wrong):
+    s = scene(4, wrong=wrong)
+    R, t, fits = ransac_pose(s.points1, s.points2, K, K, rng())
+    assert turn_between(R, s.R) < 0.3
+    assert angle_between(t, s.t) < 1
+    assert fits[s.right].mean() > 0.97
+
+
+def test_a_plane_is_enough_for_calibrated_cameras():
+    s = scene(2, plane=True, wrong=0.2)
+    R, t, _ = ransac_pose(s.points1, s.points2, K, K, rng())
+    assert turn_between(R, s.R) < 1
+    assert angle_between(t, s.t) < 3
+    with pytest.raises(DegenerateConfigurationError, match="on a plane"):
+        ransac_fundamental(s.points1, s.points2, rng())
+
+
+def test_a_turn_alone_is_named():
+    s = scene(2, t=[0, 0, 0])
+    with pytest.raises(DegenerateConfigurationError, match="only turned"):
+        ransac_pose(s.points1, s.points2, K, K, rng())
+    with pytest.raises(DegenerateConfigurationError, match="only turned"):
+        ransac_fundamental(s.points1, s.points2, rng())
+
+
+def test_exact_pairs_are_fitted_exactly():
+    s = scene(3, count=60, noise=0)
+    F, fits = ransac_fundamental(s.points1, s.points2, rng())
+    assert fits.all()
+    assert sampson_error(s.exact1, s.exact2, F).max() < 1e-6
+
+
+def test_the_same_generator_gives_the_same_answer():
+    s = scene(5, wrong=0.5)
+    one, other = (ransac_fundamental(s.points1, s.points2, rng(7)) for _ in range(2))
+    np.testing.assert_array_equal(one.F, other.F)
+
+
+def test_number_of_samples():
+    assert ransac_iterations(0.99, 8, 0.5) == 1177
+    assert ransac_iterations(0.99, 7, 0) == 1
+    assert ransac_iterations(0.99, 5, 0.3) == 26  # log 0.01 / log(1 - 0.7⁵) = 25.1
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda s: ransac_fundamental(s.points1[:7], s.points2[:7], rng()), "8 points1 or more"),
+        (lambda s: ransac_pose(s.points1[:5], s.points2[:5], K, K, rng()), "6 points1 or more"),
+        (lambda s: ransac_fundamental(s.points1, s.points2, rng(), threshold=-1), "positive"),
+        (lambda s: ransac_fundamental(s.points1, s.points2, rng(), confidence=1), "between 0"),
+        (lambda s: ransac_fundamental(s.points1, s.points2, rng(), most_samples=0), "most_samples"),
+        (lambda s: ransac_iterations(0.99, 8, 1), "less than 1"),
+        (lambda s: ransac_iterations(0.99, 2.5, 0.5), "whole number"),
+        (lambda s: ransac_iterations(0.99, 300, 0.99), "no number of samples"),
+    ],
+)
+def test_errors(call, words):
+    with pytest.raises(ValueError, match=words):
+        call(scene(1))
+
+
+def test_random_matches_have_no_geometry():
+    one, other = rng(1).uniform(0, 500, (2, 9, 2))
+    with pytest.raises(DegenerateConfigurationError, match="no geometry fits"):
+        ransac_fundamental(one, other, rng(), threshold=1e-4, most_samples=100)
