@@ -89,8 +89,7 @@ def find_degeneracy(
     if K1 is None or K2 is None:
         return "plane or rotation"
     K1, K2 = check_intrinsics(K1), check_intrinsics(K2)
-    inverse1: Array = np.linalg.inv(K1)
-    inverse2: Array = np.linalg.inv(K2)
+    inverse1, inverse2 = (np.asarray(np.linalg.inv(K), dtype=np.float64) for K in (K1, K2))
     R = _turn_between(_bearings(points1[kept], inverse1), _bearings(points2[kept], inverse2))
     turned = _explains(K2 @ R @ inverse1, points1, points2, threshold)
     return "rotation" if turned else "plane"

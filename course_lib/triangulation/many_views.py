@@ -168,10 +168,10 @@ def point_covariance(points: ArrayLike, cameras: ArrayLike, sigma: float = 1.0) 
     X = check_points(points, 3, "points")
     P = check_cameras(cameras)
     many = X.reshape(-1, 3)
-    _, N, _ = _normals(many, _projected(many, P)[0], P)
-    if np.isnan(N).any():
+    image = _projected(many, P)[0]
+    if np.isnan(image).any():
         raise ValueError("a point is behind a camera (or in its plane): no pixel shows it")
-    found = sigma**2 * _inverse(N)
+    found = sigma**2 * _inverse(_normals(many, image, P)[1])
     return np.asarray(found.reshape(*X.shape[:-1], 3, 3))
 
 
