@@ -28,6 +28,9 @@ from course_lib.euler import (
 from course_lib.least_squares import levenberg_marquardt
 from course_lib.orientation.three_points import unit_rays
 
+#: A number that changes the residuals by a smaller share than others do is open.
+UNFELT = 1e-7
+
 
 class RelativeOrientation(NamedTuple):
     """The second picture of a pair, placed by the first.
@@ -159,7 +162,8 @@ def relative_orientation(
 
     fit = levenberg_marquardt(problem, np.zeros(5))
     sizes = np.linalg.norm(fit.jacobian, axis=0)
-    if not fit.converged or np.linalg.cond(fit.jacobian / sizes) > 1e7:
+    unfelt = sizes.min() <= UNFELT * sizes.max()
+    if not fit.converged or unfelt or np.linalg.cond(fit.jacobian / sizes) > 1 / UNFELT:
         raise DegenerateConfigurationError(
             "the rays do not fix a relative orientation: the points lie on a surface that leaves "
             "it open, or the second centre is not beside the first; start from the essential matrix"
