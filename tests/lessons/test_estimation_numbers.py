@@ -203,7 +203,7 @@ def test_normalising_mends_the_condition():
     assert cell.MARKERS[largest, 0] == 480
     assert MARKERS["B"][largest, 0] == about(587, 0)
     says(
-        "`S[0] / S[7]`, falls from 1 100 000 to 3.7",
+        "`S[0] / S[7]` falls from 1 100 000 to 3.7",
         "$u = 587$",
         f"x u = {480 * 587 // 1000}\\,{480 * 587 % 1000}",
     )
@@ -240,7 +240,7 @@ def test_the_real_wall():
         H = homography.homography_dlt(*(np.delete(a, k, axis=0) for a in (pixels, places)))
         alone.append(homogeneous.apply_homography(pixels[k], H) - places[k])
     assert rms(np.array(alone)) == about(0.031, 3)
-    says("Is 0.025 bays", "It says 0.031 bays", "the 0.047 of four points")
+    says("now says 0.025 bays", "It says 0.031 bays", "the 0.047 of four points")
     assert len(draw.rendered_building().pixels) == 18
     says("a computed wall with 18 points")
 
