@@ -140,7 +140,8 @@ ADVICE = (
     (
         "LinAlgError",
         "1-dimensional array given",
-        "A row of numbers is no table here. As a table with one column it is `a[:, None]`.",
+        "A row of numbers is no table here. For one unknown it is a column, `a[:, None]`; for "
+        "several, `np.column_stack([a, b])` puts their columns side by side.",
     ),
     (
         "ValueError",
@@ -178,6 +179,20 @@ ADVICE = (
     ),
     (
         "ValueError",
+        ") (3,)",
+        "A list of three numbers meets a table that has not three columns. Print both shapes. A shift "
+        "is added to points in rows as `+ t`, to points in columns, as from `R @ points.T`, as "
+        "`+ t[:, None]`.",
+    ),
+    (
+        "ValueError",
+        ") (2,)",
+        "A list of two numbers meets a table that has not two columns. Print both shapes. A shift "
+        "is added to points in rows as `+ t`, to points in columns, as from `R @ points.T`, as "
+        "`+ t[:, None]`.",
+    ),
+    (
+        "ValueError",
         "broadcast",
         "The shapes of the two arrays do not fit. Print both shapes. Matrices are multiplied "
         "with `@`, not with `*`. A column taken as `a[:, 2]` is one long row; `a[:, 2:]` and "
@@ -189,7 +204,12 @@ ADVICE = (
         "The entries of this array differ in length. For points in rows, `p[..., 0]` is the first "
         "number of each.",
     ),
-    ("ValueError", "truth value", "An `if` needs one yes or no; for arrays there is `np.where`."),
+    (
+        "ValueError",
+        "truth value",
+        "An `if` needs one yes or no, and this is an array: print its shape. Should it be one "
+        "number? Then an array before it has an axis too many. For arrays there is `np.where`.",
+    ),
     (
         "ValueError",
         "unpack",

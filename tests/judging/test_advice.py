@@ -160,3 +160,19 @@ def test_rows_that_come_apart_as_rows():
 
     assert "`p[..., 0]`" in said(coordinates, np.ones((4, 3)))
     assert "`p[..., 0]`" in said(coordinates, np.ones((3, 4)))
+
+
+@pytest.mark.parametrize("numbers", [2, 3])
+def test_a_shift_of_points_in_columns(numbers):
+    words = said(lambda points, t: points.T + t, np.zeros((20, numbers)), np.zeros(numbers))
+    assert "`+ t[:, None]`" in words
+    assert "not with `*`" not in words
+
+
+def test_two_unknowns_want_two_columns():
+    words = said(lambda a, b: np.linalg.lstsq(a, b, rcond=None), np.arange(4.0), np.arange(4.0))
+    assert "`np.column_stack([a, b])`" in words
+
+
+def test_an_array_for_a_yes_or_no_can_have_an_axis_too_many():
+    assert "an axis too many" in said(lambda b: 1 if b < 0 else 2, np.arange(6.0))

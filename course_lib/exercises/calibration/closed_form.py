@@ -42,6 +42,10 @@ BOARD_POINTS = Exercise(
             "Where is the origin of the board's frame: at your first corner?",
         ),
         Misconception(
+            wrong.cut_to_whole_numbers,
+            "All your numbers are whole. What becomes of 96.8 in an array made of whole numbers?",
+        ),
+        Misconception(
             wrong.origin_in_the_middle,
             "Where should the first corner be? Yours lies on the negative side.",
         ),
@@ -73,6 +77,7 @@ HOMOGRAPHY_CONSTRAINTS = Exercise(
         Misconception(
             wrong.half_of_the_mixed_products,
             "B12 stands twice in B, once above the diagonal and once below. Do both count?",
+            also=[wrong.half_of_the_mixed_squares],
         ),
         Misconception(
             wrong.in_the_order_of_rows,
@@ -85,6 +90,15 @@ HOMOGRAPHY_CONSTRAINTS = Exercise(
         Misconception(
             wrong.only_one_length,
             "Your second row says that r1 has no length. With what should it be compared?",
+        ),
+        Misconception(
+            wrong.three_rows,
+            "One view gives two equations. Which two of your rows belong to the same equation?",
+        ),
+        Misconception(
+            wrong.subtracted_the_other_way,
+            "Times b, yours is zero too. Which of v11 and v22 does the text subtract from the "
+            "other?",
         ),
         Misconception(
             wrong.second_and_third_column,
@@ -130,6 +144,11 @@ INTRINSICS_FROM_HOMOGRAPHIES = Exercise(
             "Cholesky finds no factor. Does b belong to the smallest singular value, is B11 "
             "positive, and where in B does the third number of b go?",
             also=[wrong.largest_singular_value],
+        ),
+        Misconception(
+            wrong.rows_not_below_each_other,
+            "Print the shape of all your rows together. Are they one table with six columns?",
+            also=[wrong.rows_not_below_each_other_without_if],
         ),
     ],
 )
@@ -192,6 +211,7 @@ POSE_FROM_HOMOGRAPHY = Exercise(
         Misconception(
             wrong.mirrored,
             "What is the determinant of your R? A right hand should not become a left one.",
+            also=[wrong.mirrored_and_not_a_rotation],
         ),
         Misconception(
             wrong.camera_to_board,

@@ -42,6 +42,10 @@ def without_z(columns, rows, square):
     return grid(columns, rows)[:, :2] * square
 
 
+def cut_to_whole_numbers(columns, rows, square):
+    return (grid(columns, rows) * square).astype(int)
+
+
 def grid(columns: Any, rows: Any) -> Any:
     return np.array([(c, r, 0.0) for r in range(rows) for c in range(columns)])
 
@@ -79,6 +83,21 @@ def half_of_the_mixed_products(H):
 
 def once(p: Any, q: Any) -> Any:
     return np.array([p[0] * q[0], p[0] * q[1], p[1] * q[1], p[0] * q[2], p[1] * q[2], p[2] * q[2]])
+
+
+def half_of_the_mixed_squares(H):
+    h1, h2 = H[:, 0], H[:, 1]
+    return np.array([v(h1, h2), once(h1, h1) - once(h2, h2)])
+
+
+def three_rows(H):
+    h1, h2 = H[:, 0], H[:, 1]
+    return np.array([v(h1, h2), v(h1, h1), v(h2, h2)])
+
+
+def subtracted_the_other_way(H):
+    h1, h2 = H[:, 0], H[:, 1]
+    return np.array([v(h1, h2), v(h2, h2) - v(h1, h1)])
 
 
 def in_the_order_of_rows(H):
@@ -155,6 +174,23 @@ def order_of_b_mixed_up(Hs):
 def largest_singular_value(Hs):
     b = np.linalg.svd(all_rows(Hs))[2][0]
     return factor(matrix(b if b[0] > 0 else -b))
+
+
+def rows_not_below_each_other(Hs):
+    b = last_of_each_view(Hs)
+    if b[0] < 0:
+        b = -b
+    return factor(matrix(b))
+
+
+def rows_not_below_each_other_without_if(Hs):
+    b = last_of_each_view(Hs)
+    return factor(matrix(b * np.sign(b[0])))
+
+
+def last_of_each_view(Hs: Any) -> Any:
+    """Return what is no vector: the equations of each view were decomposed on their own."""
+    return np.linalg.svd(all_rows(Hs).reshape(-1, 2, 6))[2][-1]
 
 
 def factor(B: Any) -> Any:
@@ -237,6 +273,12 @@ def mirrored(K, H):
     r1, r2, t = M.T
     U, _, Vt = np.linalg.svd(np.column_stack([r1, r2, np.cross(r2, r1)]))
     return U @ Vt, t
+
+
+def mirrored_and_not_a_rotation(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    r1, r2, t = M.T
+    return np.column_stack([r1, r2, np.cross(r2, r1)]), t
 
 
 def camera_to_board(K, H):

@@ -39,6 +39,25 @@ REJECT_VIEWS = Exercise(
             wrong.above_the_median,
             "Half of all views are above the median, always. Where does the limit come in?",
         ),
+        Misconception(
+            wrong.mean_length,
+            "One corner that slipped far away: does your error of a view notice it as much as an "
+            "RMS does?",
+        ),
+        Misconception(
+            wrong.median_of_residuals,
+            "You take the median of du and dv, of either sign. Of which numbers should it be?",
+        ),
+        Misconception(
+            wrong.numbers_of_the_views,
+            "These are numbers of views. What is asked for at each view?",
+            also=[wrong.places_from_where, wrong.numbers_of_those_that_go],
+        ),
+        Misconception(
+            wrong.each_point,
+            "Print the shape of your errors. How many should each view have?",
+            also=[wrong.point_by_point_over_views, wrong.u_and_v_of_each_view],
+        ),
     ],
 )
 
@@ -60,6 +79,7 @@ PARAMETER_COVARIANCE = Exercise(
         Misconception(
             wrong.not_squared,
             "Residuals of opposite sign: do they cancel in your sum?",
+            also=[wrong.sum_squared],
         ),
         Misconception(
             wrong.divided_by_points,
@@ -85,6 +105,20 @@ PARAMETER_COVARIANCE = Exercise(
         Misconception(
             wrong.diagonal_inverted_only,
             "You took each parameter alone. Do f and the distance of the board not act alike?",
+        ),
+        Misconception(
+            wrong.inverted_entry_by_entry,
+            "You turn each entry over by itself. Which function of NumPy inverts a whole matrix?",
+        ),
+        Misconception(
+            wrong.rows_for_parameters,
+            "Your divisor is zero. Does J have a row for each parameter, or a column?",
+        ),
+        Misconception(
+            wrong.residuals_for_parameters,
+            "Your table has a row for each residual. Which product with J has one for each "
+            "parameter?",
+            compare=wrong.SameShape(),
         ),
     ],
 )

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+
+from course_lib.judging.comparison import Mismatch
 
 # --- reject_views -----------------------------------------------------------------------------
 
@@ -42,6 +45,43 @@ def above_the_median(residuals, limit):
     return rms <= np.median(rms)
 
 
+def mean_length(residuals, limit):
+    errors = np.linalg.norm(residuals, axis=2).mean(axis=1)
+    return errors <= limit * np.median(errors)
+
+
+def median_of_residuals(residuals, limit):
+    return view_rms(residuals) <= limit * np.median(residuals)
+
+
+def numbers_of_the_views(residuals, limit):
+    rms = view_rms(residuals)
+    return np.flatnonzero(rms <= limit * np.median(rms))
+
+
+def places_from_where(residuals, limit):
+    return np.where(view_rms(residuals) <= limit * np.median(view_rms(residuals)))
+
+
+def numbers_of_those_that_go(residuals, limit):
+    return np.flatnonzero(those_to_reject(residuals, limit))
+
+
+def each_point(residuals, limit):
+    errors = np.linalg.norm(residuals, axis=2)
+    return errors <= limit * np.median(errors)
+
+
+def point_by_point_over_views(residuals, limit):
+    errors = np.sqrt((residuals**2).sum(axis=2).mean(axis=0))
+    return errors <= limit * np.median(errors)
+
+
+def u_and_v_of_each_view(residuals, limit):
+    errors = np.sqrt((residuals**2).mean(axis=1))
+    return errors <= limit * np.median(errors)
+
+
 # --- parameter_covariance ---------------------------------------------------------------------
 
 
@@ -64,6 +104,11 @@ def variance_of_numpy(J, residuals):
 def not_squared(J, residuals):
     m, n = J.shape
     return residuals.sum() / (m - n) * np.linalg.inv(J.T @ J)
+
+
+def sum_squared(J, residuals):
+    m, n = J.shape
+    return residuals.sum() ** 2 / (m - n) * np.linalg.inv(J.T @ J)
 
 
 def divided_by_points(J, residuals):
@@ -92,3 +137,27 @@ def roots_of_the_diagonal(J, residuals):
 def diagonal_inverted_only(J, residuals):
     m, n = J.shape
     return residuals @ residuals / (m - n) * np.diag(1 / np.diag(J.T @ J))
+
+
+def inverted_entry_by_entry(J, residuals):
+    m, n = J.shape
+    return residuals @ residuals / (m - n) / (J.T @ J)
+
+
+def rows_for_parameters(J, residuals):
+    return variance_with(J, residuals, len(residuals) - len(J))
+
+
+def residuals_for_parameters(J, residuals):
+    m, n = J.shape
+    return residuals @ residuals / (m - n) * np.linalg.inv(J @ J.T)
+
+
+@dataclass(frozen=True)
+class SameShape:
+    """Tables of one size: the inverse of a singular matrix is made of chance."""
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return None where both have the same shape."""
+        alike = np.shape(got) == np.shape(expected)
+        return None if alike else Mismatch("shape", "The shape is another one.")

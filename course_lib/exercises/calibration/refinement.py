@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from course_lib.exercises.calibration import distortion_misconceptions as bent
 from course_lib.exercises.calibration import inputs
 from course_lib.exercises.calibration import plain_refinement as plain
 from course_lib.exercises.calibration import refinement_misconceptions as wrong
@@ -18,49 +19,56 @@ INITIAL_DISTORTION = Exercise(
     forbidden=("course_lib.zhang.initial_distortion",),
     misconceptions=[
         Misconception(
-            wrong.correction_for_distortion,
+            bent.correction_for_distortion,
             "For a barrel lens k1 is negative. Do you go from the ideal point to the observed one?",
         ),
         Misconception(
-            wrong.powers_of_r,
+            bent.powers_of_r,
             "Which powers of r do k1 and k2 belong to?",
-            also=[wrong.powers_squared, wrong.powers_two_and_three],
+            also=[bent.powers_squared, bent.powers_two_and_three],
         ),
         Misconception(
-            wrong.k2_before_k1,
+            bent.k2_before_k1,
             "Both numbers are there. Which column of your matrix belongs to the first unknown?",
         ),
         Misconception(
-            wrong.fx_for_both,
+            bent.fx_for_both,
             "x is divided by fx. By which focal length is y divided?",
         ),
         Misconception(
-            wrong.observed_for_moved,
+            bent.observed_for_moved,
             "Your right side holds pixels of the picture. How far did the lens move each of them?",
         ),
         Misconception(
-            wrong.radius_in_pixels,
+            bent.radius_in_pixels,
             "Your coefficients are tiny. In which coordinates is r measured?",
         ),
         Misconception(
-            wrong.not_from_the_principal_point,
+            bent.not_from_the_principal_point,
             "From which point does the lens move the others away, and are distances from there?",
         ),
         Misconception(
-            wrong.normalised_on_one_side,
+            bent.normalised_on_one_side,
             "On one side of your equations are pixels. In which unit is the other side?",
-            also=[wrong.normalised_on_the_other_side],
+            also=[bent.normalised_on_the_other_side],
         ),
         Misconception(
-            wrong.equations_of_u_only,
+            bent.equations_of_u_only,
             "Without noise it is right. Are the equations of v in your system, too?",
         ),
         Misconception(
-            wrong.radius_of_the_observed,
+            bent.radius_of_the_observed,
             "Nearly right. Is r the distance of the ideal point, or of the observed one?",
+            also=[bent.everything_from_the_observed],
         ),
         Misconception(
-            wrong.k1_only,
+            bent.right_side_point_by_point,
+            "One side of your system has u, v of a point, then the next point. In which order is "
+            "the other side?",
+            also=[bent.left_side_point_by_point],
+        ),
+        Misconception(
+            bent.k1_only,
             "Your k2 is zero. How many unknowns does the system have?",
         ),
     ],
@@ -97,6 +105,12 @@ REPROJECTION_RESIDUALS = Exercise(
             "Does the lens bend rays before they become pixels, or afterwards?",
         ),
         Misconception(
+            wrong.radius_in_pixels,
+            "Without distortion it is right. Is your r as small as a tangent, or as large as "
+            "pixels or millimetres?",
+            also=[wrong.radius_in_pixels_from_the_centre, wrong.radius_before_depth],
+        ),
+        Misconception(
             wrong.distortion_backwards,
             "You take distortion off. Do you start from the ideal point, or from the observed one?",
             also=[wrong.divided_by_distortion],
@@ -123,6 +137,7 @@ REPROJECTION_RESIDUALS = Exercise(
         Misconception(
             wrong.not_divided_by_depth,
             "A board twice as far away looks half as large. Where does yours get smaller?",
+            also=[wrong.not_divided_after_K],
         ),
         Misconception(
             wrong.fx_for_v,
@@ -157,6 +172,11 @@ RMS_ERROR = Exercise(
         Misconception(
             wrong.over_coordinates,
             "You divide by the number of coordinates. How many points are that?",
+        ),
+        Misconception(
+            wrong.columns_for_points,
+            "A row is a point. Do you add du and dv of each point, or all du of the board?",
+            also=[wrong.one_error_for_u_one_for_v, wrong.lengths_of_columns],
         ),
         Misconception(
             wrong.mean_length,
@@ -218,6 +238,11 @@ REFINE_CALIBRATION = Exercise(
         Misconception(
             wrong.row_added_to_the_matrix,
             "`np.diag` of a matrix is a row of numbers. What does adding it to a matrix do?",
+        ),
+        Misconception(
+            wrong.diagonal_of_J,
+            "D has as many rows as columns, J has not. Which matrix is the diagonal taken from?",
+            also=[wrong.matrix_of_the_diagonal_of_J],
         ),
         Misconception(
             wrong.all_entries_damped,

@@ -1,89 +1,10 @@
-"""Wrong answers to the exercises of chapter 07 on distortion, residuals and the refinement."""
+"""Wrong answers to the exercises of chapter 07 on residuals and the refinement."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-
-# --- initial_distortion -----------------------------------------------------------------------
-
-
-def design(
-    ideal: Any, K: Any, first: Any = 2, second: Any = 4, centre: Any = None, focal: Any = None
-) -> Any:
-    """Return the two columns of the equations, with powers of r to choose."""
-    centre = K[:2, 2] if centre is None else centre
-    focal = np.array([K[0, 0], K[1, 1]]) if focal is None else focal
-    offset = ideal - centre
-    r = np.hypot(*(offset / focal).T)[:, None]
-    return np.stack([offset * r**first, offset * r**second], axis=-1)
-
-
-def solved(A: Any, b: Any) -> Any:
-    return np.linalg.lstsq(A.reshape(-1, 2), b.ravel(), rcond=None)[0]
-
-
-def correction_for_distortion(ideal, observed, K):
-    return solved(design(ideal, K), ideal - observed)
-
-
-def powers_of_r(ideal, observed, K):
-    return solved(design(ideal, K, 1, 2), observed - ideal)
-
-
-def powers_squared(ideal, observed, K):
-    return solved(design(ideal, K, 4, 8), observed - ideal)
-
-
-def powers_two_and_three(ideal, observed, K):
-    return solved(design(ideal, K, 2, 3), observed - ideal)
-
-
-def k2_before_k1(ideal, observed, K):
-    return solved(design(ideal, K, 4, 2), observed - ideal)
-
-
-def fx_for_both(ideal, observed, K):
-    return solved(design(ideal, K, focal=K[0, 0]), observed - ideal)
-
-
-def observed_for_moved(ideal, observed, K):
-    return solved(design(ideal, K), observed)
-
-
-def radius_in_pixels(ideal, observed, K):
-    return solved(design(ideal, K, focal=1.0), observed - ideal)
-
-
-def not_from_the_principal_point(ideal, observed, K):
-    return solved(design(ideal, K, centre=0.0), observed - ideal)
-
-
-def normalised_on_one_side(ideal, observed, K):
-    A = design(ideal, K) / np.array([K[0, 0], K[1, 1]])[:, None]
-    return solved(A, observed - ideal)
-
-
-def normalised_on_the_other_side(ideal, observed, K):
-    return solved(design(ideal, K), (observed - ideal) / np.array([K[0, 0], K[1, 1]]))
-
-
-def equations_of_u_only(ideal, observed, K):
-    return np.linalg.lstsq(design(ideal, K)[:, 0], (observed - ideal)[:, 0], rcond=None)[0]
-
-
-def radius_of_the_observed(ideal, observed, K):
-    focal = np.array([K[0, 0], K[1, 1]])
-    r = np.hypot(*((observed - K[:2, 2]) / focal).T)[:, None]
-    offset = ideal - K[:2, 2]
-    return solved(np.stack([offset * r**2, offset * r**4], axis=-1), observed - ideal)
-
-
-def k1_only(ideal, observed, K):
-    A = design(ideal, K)[..., 0].ravel()
-    return np.array([A @ (observed - ideal).ravel() / (A @ A), 0])
-
 
 # --- reprojection_residuals -------------------------------------------------------------------
 
@@ -135,6 +56,30 @@ def divided_by_distortion(points, pixels, K, R, t, k):
 def not_divided_by_depth(points, pixels, K, R, t, k):
     X = points @ R.T + t
     return bent(X[:, :2], k) @ K[:2, :2].T + K[:2, 2] - pixels
+
+
+def not_divided_after_K(points, pixels, K, R, t, k):
+    return ((points @ R.T + t) @ K.T)[:, :2] - pixels
+
+
+def radius_in_pixels(points, pixels, K, R, t, k):
+    return with_radius_of(pixels_of(points, K, R, t, [0, 0]), points, K, R, t, k) - pixels
+
+
+def radius_in_pixels_from_the_centre(points, pixels, K, R, t, k):
+    seen = pixels_of(points, K, R, t, [0, 0]) - K[:2, 2]
+    return with_radius_of(seen, points, K, R, t, k) - pixels
+
+
+def with_radius_of(far: Any, points: Any, K: Any, R: Any, t: Any, k: Any) -> Any:
+    """Return pixels whose distortion is taken at the distances of other points from zero."""
+    r2 = (far**2).sum(axis=1, keepdims=True)
+    offset = pixels_of(points, K, R, t, [0, 0]) - K[:2, 2]
+    return offset * (1 + k[0] * r2 + k[1] * r2**2) + K[:2, 2]
+
+
+def radius_before_depth(points, pixels, K, R, t, k):
+    return with_radius_of((points @ R.T + t)[:, :2], points, K, R, t, k) - pixels
 
 
 def fx_for_v(points, pixels, K, R, t, k):
@@ -222,6 +167,18 @@ def not_divided(residuals):
     return np.sqrt((residuals**2).sum())
 
 
+def columns_for_points(residuals):
+    return np.sqrt((residuals**2).sum(axis=0).mean())
+
+
+def one_error_for_u_one_for_v(residuals):
+    return np.sqrt((residuals**2).mean(axis=0))
+
+
+def lengths_of_columns(residuals):
+    return np.sqrt((residuals**2).sum(axis=0))
+
+
 # --- refine_calibration -----------------------------------------------------------------------
 
 
@@ -264,3 +221,11 @@ def downhill_only(parameters, residuals, J, damping):
 def diagonal_only(parameters, residuals, J, damping):
     N = np.diag(np.diag(J.T @ J))
     return parameters + np.linalg.solve((1 + damping) * N, -J.T @ residuals)
+
+
+def diagonal_of_J(parameters, residuals, J, damping):
+    return parameters + step_with(J, residuals, damping * np.diag(J))
+
+
+def matrix_of_the_diagonal_of_J(parameters, residuals, J, damping):
+    return parameters + step_with(J, residuals, damping * np.diag(np.diag(J)))
