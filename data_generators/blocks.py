@@ -115,7 +115,7 @@ def turntable(
     around = 2 * np.pi * np.arange(pictures) / pictures
     eyes = [[np.cos(a), np.sin(a), z] for z in np.linspace(0.35, 0.9, rings) for a in around]
     poses = [look_at(eye, [0, 0, 0.15]) for eye in eyes]
-    K = np.array([[2600.0, 0, 999.5], [0, 2600, 749.5], [0, 0, 1]])
+    K = np.array([[4200.0, 0, 999.5], [0, 4200, 749.5], [0, 0, 1]])
     block = Block(K, np.array([R for R, _ in poses]), np.array([t for _, t in poses]), X)
     towards = block.centres[:, None] - X
     towards /= np.linalg.norm(towards, axis=2, keepdims=True)
