@@ -6,7 +6,17 @@ import argparse
 from collections.abc import Callable
 from functools import partial
 
-from benchmarks import bundle, calibration, commands, compute, corners, estimate, latency, lens
+from benchmarks import (
+    bundle,
+    calibration,
+    commands,
+    compute,
+    corners,
+    epipolar,
+    estimate,
+    latency,
+    lens,
+)
 from benchmarks.table import RESULTS, Row, write_section
 
 #: Every entry is a function that returns rows. Add yours here.
@@ -21,6 +31,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "distorting": lens.distorting,
     "refining": corners.refining,
     "estimating": estimate.estimating,
+    "epipolar": epipolar.epipolar,
     "starting": commands.starting,
     "building": commands.building,
 }

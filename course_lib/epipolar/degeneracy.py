@@ -13,14 +13,16 @@ from course_lib.checks import (
     check_intrinsics,
     check_length,
 )
+from course_lib.epipolar.fundamental import common_scale
 from course_lib.epipolar.lines import check_pairs
 from course_lib.homogeneous import to_homogeneous
-from course_lib.homography import fit_homography
 
 Degeneracy = Literal["none", "plane or rotation", "plane", "rotation"]
 #: So many of the pairs must fit a homography for the epipolar geometry to be open.
 NEARLY_ALL = 0.9
 ROUNDS = 10
+#: So many thresholds off is the better half of pairs that no homography fits.
+HOPELESS = 4
 #: What to do about each.
 ADVICE = {
     "plane or rotation": (
@@ -30,7 +32,7 @@ ADVICE = {
     ),
     "plane": (
         "the points are on a plane, so many fundamental matrices fit: take points at other depths, "
-        "or use the homography; with known intrinsics ransac_pose copes"
+        "or use the homography; with known intrinsics only two poses are left (ransac_pose)"
     ),
     "rotation": (
         "the camera has only turned (or the scene is very far away): there is no baseline to find; "
@@ -72,7 +74,7 @@ def find_degeneracy(
         If the shapes do not fit, a number is not finite, the threshold is not positive, there are
         fewer than five pairs, or only one of the intrinsics is given.
     DegenerateConfigurationError
-        If all points of a picture, or all but one, are on a line.
+        If all points of a picture are on a line.
 
     References
     ----------
@@ -117,16 +119,27 @@ def _main_homography(
     points1: Array, points2: Array, threshold: float
 ) -> tuple[Array, NDArray[np.bool_]]:
     """Return the homography that most pairs fit, and which: again and again of the better half."""
+    x1, x2, T1, T2, _ = common_scale(points1, points2)
     kept: NDArray[np.bool_] = np.ones(len(points1), dtype=bool)
-    for _ in range(ROUNDS):
-        H = fit_homography(points1[kept], points2[kept])
+    half = len(points1) // 2
+    for turn in range(ROUNDS):
+        H = np.linalg.inv(T2) @ _linear_homography(x1[:, kept], x2[:, kept]) @ T1
         errors = _transfer_errors(H, points1, points2)
-        limit = max(threshold, float(np.partition(errors, len(errors) // 2)[len(errors) // 2]))
+        limit = max(threshold, float(np.partition(errors, half)[half]))
         new = errors <= limit
-        if new.sum() < 4 or (new == kept).all():
+        # Where a homography fits nearly all, its better half is soon good.
+        if (new == kept).all() or new.sum() < 4 or (turn > 1 and limit > HOPELESS * threshold):
             break
         kept = new
     return H, kept
+
+
+def _linear_homography(x1: Array, x2: Array) -> Array:
+    """Return the homography of normalised pairs, homogeneous columns, by the DLT."""
+    nothing = np.zeros_like(x1)
+    rows_u = np.concatenate([x1, nothing, -x2[0] * x1])
+    rows_v = np.concatenate([nothing, x1, -x2[1] * x1])
+    return np.asarray(np.linalg.eigh(rows_u @ rows_u.T + rows_v @ rows_v.T)[1][:, 0].reshape(3, 3))
 
 
 def _explains(H: Array, points1: Array, points2: Array, threshold: float) -> bool:

@@ -158,7 +158,8 @@ def ransac_pose(
 ) -> RobustPose:
     """Return the relative pose of calibrated cameras that most matches agree on.
 
-    As `ransac_fundamental`, with samples of five pairs. Points on a plane will do.
+    As `ransac_fundamental`, with samples of five pairs. If all points are on a plane, two poses may
+    fit them equally well; one of them is returned.
 
     Parameters
     ----------

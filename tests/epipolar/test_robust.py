@@ -38,7 +38,7 @@ def test_pose_among_wrong_matches(wrong):
     assert fits[s.right].mean() > 0.97
 
 
-def test_a_plane_is_enough_for_calibrated_cameras():
+def test_a_plane_can_do_for_calibrated_cameras():
     s = scene(2, plane=True, wrong=0.2)
     R, t, _ = ransac_pose(s.points1, s.points2, K, K, rng())
     assert turn_between(R, s.R) < 1
