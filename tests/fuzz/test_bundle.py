@@ -1,0 +1,132 @@
+"""Whatever goes in: either a block or a pose, or an error that says what to do."""
+
+import math
+from functools import partial
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from course_lib import bundle, orientation
+from course_lib.bundle import Block, Control, Observations, bundle_adjust
+from data_generators.blocks import turntable
+
+settings.register_profile(
+    "bundle",
+    derandomize=True,
+    max_examples=25,
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow],
+)
+fuzz = settings(settings.get_profile("bundle"))
+pytestmark = pytest.mark.filterwarnings("error")
+
+mischief = st.sampled_from(
+    [math.nan, math.inf, "5", None, [], [1, [2, 3]], {}, 1j, True, [[[1.0]]], 1e60, -1e30, [0, 0]]
+)
+numbers = st.one_of(st.floats(-2, 2), st.floats(-1e6, 1e6), st.floats())
+space = st.lists(st.tuples(numbers, numbers, numbers), min_size=1, max_size=7)
+pixels = st.lists(st.tuples(numbers, numbers), min_size=1, max_size=7)
+indices = st.lists(st.integers(-1, 9), max_size=7)
+intrinsics = st.tuples(st.floats(1e-3, 1e6), st.floats(-1e3, 1e3)).map(
+    lambda v: [[v[0], v[1], 320], [0, 2 * v[0], 240], [0, 0, 1]]
+)
+vector = st.tuples(numbers, numbers, numbers)
+matrices = st.one_of(st.just(np.eye(3)), st.lists(vector, min_size=3, max_size=3))
+K = np.array([[800.0, 0, 320], [0, 800, 240], [0, 0, 1]])
+POSES = orientation.poses_from_three_points
+rng = partial(np.random.default_rng, 0)
+KNOWN = turntable(np.random.default_rng(0), pictures=9, points=25)
+
+CALLS = {
+    "similarity_transform": (orientation.similarity_transform, (space, space)),
+    "leave_one_out": (orientation.leave_one_out, (space, space)),
+    "check_point_rmse": (orientation.check_point_rmse, (space, space)),
+    "pictures_for_circle": (orientation.pictures_for_circle, (numbers,)),
+    "resect_camera": (orientation.resect_camera, (space, pixels, intrinsics)),
+    "poses_from_three_points": (orientation.poses_from_three_points, (space, pixels, intrinsics)),
+    "relative_orientation": (orientation.relative_orientation, (pixels, pixels, intrinsics)),
+    "pose_from_relative": (orientation.pose_from_relative, (vector, vector)),
+    "relative_from_pose": (orientation.relative_from_pose, (matrices, vector)),
+    "Observations": (Observations, (indices, indices, pixels, numbers)),
+    "Control": (Control, (indices, space, numbers)),
+    "Block": (Block, (matrices, st.lists(matrices, max_size=3), space, space)),
+    "reprojection_jacobian": (bundle.reprojection_jacobian, (vector, intrinsics, matrices, vector)),
+    "solve_normal_block": (bundle.solve_normal_block, (matrices, space, space, vector, space)),
+}
+
+
+MATCHED = {
+    "similarity_transform": (orientation.similarity_transform, (3, 3)),
+    "leave_one_out": (orientation.leave_one_out, (3, 3)),
+    "resect_camera": (partial(orientation.resect_camera, K=K), (3, 2)),
+    "resect_robustly": (lambda X, x: orientation.resect_robustly(X, x, K, rng(), 9.0, 40), (3, 2)),
+    "poses_from_three_points": (lambda X, x: POSES(X[:3], x[:3], K), (3, 2)),
+    "relative_orientation": (partial(orientation.relative_orientation, K=K), (2, 2)),
+}
+
+
+def finite(result):
+    if isinstance(result, tuple | list):
+        return all(finite(each) for each in result)
+    if isinstance(result, np.ndarray | float):
+        return bool(np.isfinite(result).all())
+    return True
+
+
+def answer(function, *arguments):
+    """Return what a function returns, or nothing if it says what is wrong, as it may."""
+    try:
+        return function(*arguments)
+    except (ValueError, TypeError) as error:
+        said = f"{type(error).__name__}: {error}"
+    assert len(said) > 25
+    assert "LinAlg" not in said
+    return ()
+
+
+@pytest.mark.parametrize("name", CALLS)
+@fuzz
+@given(data=st.data())
+def test_numbers_come_out_or_a_sentence(name, data):
+    function, arguments = CALLS[name]
+    drawn = [data.draw(st.one_of(each, each, each, mischief)) for each in arguments]
+    assert finite(answer(function, *drawn))
+
+
+@pytest.mark.parametrize("name", MATCHED)
+@fuzz
+@given(count=st.integers(3, 9), flat=st.booleans(), data=st.data())
+def test_points_that_fit_together_are_oriented_or_named(name, count, flat, data):
+    function, widths = MATCHED[name]
+    size = data.draw(st.sampled_from([1e-3, 1, 1e3, 1e6]))
+    whole = st.integers(-4, 4).map(float)  # many coincide, or are in line
+    number = st.one_of(whole, st.floats(-5, 5)).map(lambda value: size * value)
+    rows = [
+        np.array(data.draw(st.lists(st.tuples(*[number] * width), min_size=count, max_size=count)))
+        for width in widths
+    ]
+    rows[0][:, -1] *= not flat
+    assert finite(answer(function, *rows))
+
+
+@fuzz
+@given(
+    gone=st.lists(st.integers(0, len(KNOWN.observations) - 1), max_size=60, unique=True),
+    push=st.floats(0, 1000),
+    robust=st.sampled_from([None, 2.5]),
+    gauge=st.sampled_from(["inner", "fixed"]),
+    seed=st.integers(0, 100),
+)
+def test_a_damaged_block_is_adjusted_or_named(gone, push, robust, gauge, seed):
+    random, seen = np.random.default_rng(seed), KNOWN.observations
+    kept = seen.only(np.setdiff1d(np.arange(len(seen)), gone))
+    away = push * random.standard_normal(kept.pixels.shape) * (random.random((len(kept), 1)) < 0.2)
+    kept = Observations(kept.cameras, kept.points, kept.pixels + away, 0.5)
+    fit = answer(lambda: bundle_adjust(KNOWN.truth, kept, None, gauge, robust, 30))
+    if fit:
+        assert fit.cost <= fit.costs[0]
+        assert finite([fit.residuals, fit.block.points])
+        precision = answer(lambda: fit.precision)
+        assert not precision or finite([precision.cameras, precision.points])
