@@ -81,7 +81,7 @@ def check_block(block: Block, observations: Observations, control: Control | Non
     _check_names(block, observations, control)
     _check_rays(block, observations, control)
     if control is not None:
-        _check_control(control)
+        _check_control(block, observations, control)
     else:
         _check_connected(block, observations)
     hidden = np.isnan(block.project(observations.cameras, observations.points)[:, 0])
@@ -132,13 +132,20 @@ def _check_rays(block: Block, observations: Observations, control: Control | Non
         )
 
 
-def _check_control(control: Control) -> None:
-    if len(control.points) < 3:
-        raise DegenerateConfigurationError(
-            f"{len(control.points)} control points do not fix scale, place and directions of a "
-            "block: three are needed, not on one line; or leave control out and orient afterwards"
-        )
-    check_spread(control.coordinates, 2, "control points")
+def _check_control(block: Block, observations: Observations, control: Control) -> None:
+    """Raise unless each part of the block sees control points enough to be placed."""
+    parts = connected_parts(observations, len(block.R))
+    for part in range(parts.max() + 1):
+        seen = np.unique(observations.points[parts[observations.cameras] == part])
+        mine = np.isin(control.points, seen)
+        if mine.sum() < 3:
+            cameras = np.flatnonzero(parts == part)[:3].tolist()
+            raise DegenerateConfigurationError(
+                f"{mine.sum()} control points that cameras {cameras} … see do not fix scale, place "
+                "and directions of their part of the block: three are needed, not on one line; or "
+                "leave control out and orient afterwards"
+            )
+        check_spread(control.coordinates[mine], 2, "control points")
 
 
 def _check_connected(block: Block, observations: Observations) -> None:

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from course_lib.bundle import (
+    Block,
     Control,
     Observations,
     bundle_adjust,
@@ -259,8 +260,11 @@ def test_bad_input_is_named(small):
     with pytest.raises(ValueError, match="gauge must be"):
         adjust(gauge="free")
     two = Control(np.array([0, 1]), block.points[:2])
-    with pytest.raises(DegenerateConfigurationError, match="2 control points do not fix"):
+    with pytest.raises(DegenerateConfigurationError, match="2 control points that cameras"):
         adjust(control=two)
+    unseen = Block(block.K, block.R, block.t, np.append(block.points, block.points[:3], axis=0))
+    with pytest.raises(DegenerateConfigurationError, match="0 control points that cameras"):
+        adjust(unseen, control=Control(len(block.points) + np.arange(3), block.points[:3]))
     line = Control(np.arange(3), np.outer([1, 2, 3], [1, 1, 0]))
     with pytest.raises(DegenerateConfigurationError, match="collinear"):
         adjust(control=line)
@@ -285,6 +289,12 @@ def test_parts_without_a_common_point_are_named():
     assert connected_parts(apart, 4).tolist() == [0, 0, 1, 1]
     with pytest.raises(DegenerateConfigurationError, match="falls into 2 parts"):
         bundle_adjust(known.truth.moved_to(X[often]), apart)
+    # Control points place a part only if it sees them.
+    one_side = Control(np.arange(5), X[often][:5])
+    with pytest.raises(DegenerateConfigurationError, match=r"cameras \[2, 3\] … see do not fix"):
+        bundle_adjust(known.truth.moved_to(X[often]), apart, one_side)
+    both = Control(np.arange(often.sum()), X[often])
+    assert bundle_adjust(known.truth.moved_to(X[often]), apart, both).converged
 
 
 def test_pictures_from_one_place_leave_depths_open():
