@@ -111,9 +111,9 @@ def ray_uncertainty(calibration: Calibration, pixels: Sequence[ArrayLike]) -> Fi
     sigma = ray_sigma(calibration, np.column_stack([u.ravel(), v.ravel()]), seen).reshape(u.shape)
     fig, ax = panels(1, 1, (FULL_WIDTH * 0.75, 4.0))
     ax.plot(*seen.T, ".", color="#B8BEC4", ms=3)
-    levels = [0.02, 0.05, 0.1, 0.2, 0.5, 1, 2]
+    levels = [0.05, 0.1, 0.2, 0.5, 2]
     lines = ax.contour(u, v, sigma, levels=levels, colors=ROLES["object"], linewidths=1.6)
-    ax.clabel(lines, fmt=lambda level: f"{level:g} px", fontsize=9)
+    ax.clabel(lines, fmt=lambda level: f"{level:g} px", fontsize=8.5, inline_spacing=2)
     picture_frame(ax, SIZE)
     ax.set_title("± px, by the covariance", fontsize=10.5)
     return fig
