@@ -22,7 +22,7 @@ Degeneracy = Literal["none", "plane or rotation", "plane", "rotation"]
 NEARLY_ALL = 0.9
 ROUNDS = 10
 #: So many thresholds off is the better half of pairs that no homography fits.
-HOPELESS = 4
+HOPELESS = 6
 #: What to do about each.
 ADVICE = {
     "plane or rotation": (
@@ -128,7 +128,7 @@ def _main_homography(
         limit = max(threshold, float(np.partition(errors, half)[half]))
         new = errors <= limit
         # Where a homography fits nearly all, its better half is soon good.
-        if (new == kept).all() or new.sum() < 4 or (turn > 1 and limit > HOPELESS * threshold):
+        if (new == kept).all() or new.sum() < 4 or (turn > 0 and limit > HOPELESS * threshold):
             break
         kept = new
     return H, kept

@@ -19,7 +19,7 @@ AXES = np.array([cross_matrix(axis) for axis in np.eye(3)])
 WRONG_DENSITY = 0.5
 #: No measured pixel has a smaller error (in units in which a picture is about 3 wide).
 LEAST_SIGMA = 1e-10
-LAST_GAIN = 1e-7
+LAST_GAIN = 1e-5
 MOST_DAMPING = 1e3
 
 

@@ -26,7 +26,7 @@ REFINED = 1
 #: Only hypotheses are refined that are not much worse than the best one, which is refined.
 HOPEFUL = 1.05
 #: Steps of the refinement of a hypothesis; a last one goes to the end.
-FIRST_STEPS = 4
+FIRST_STEPS = 3
 BATCH = 64, 256  # the first one, and those after it
 AGAIN = 100  # those from pairs that fit
 
