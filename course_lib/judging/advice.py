@@ -144,6 +144,12 @@ ADVICE = (
         "several, `np.column_stack([a, b])` puts their columns side by side.",
     ),
     (
+        "LinAlgError",
+        "Incompatible dimensions",
+        "Table and right side do not fit. Print both shapes: the table has one row for each "
+        "equation and one column for each unknown, the right side one number for each equation.",
+    ),
+    (
         "ValueError",
         "cannot reshape",
         "The new shape has not as many entries as the array. Which array is it? Print its shape.",
@@ -180,15 +186,15 @@ ADVICE = (
     (
         "ValueError",
         ") (3,)",
-        "A list of three numbers meets a table that has not three columns. Print both shapes. A shift "
-        "is added to points in rows as `+ t`, to points in columns, as from `R @ points.T`, as "
-        "`+ t[:, None]`.",
+        "A list of three numbers meets a table that has not three columns. Print both shapes. A "
+        "shift is added to points in rows as `+ t`; to points in columns, as from `R @ points.T`, "
+        "it is `+ t[:, None]`.",
     ),
     (
         "ValueError",
         ") (2,)",
         "A list of two numbers meets a table that has not two columns. Print both shapes. A shift "
-        "is added to points in rows as `+ t`, to points in columns, as from `R @ points.T`, as "
+        "is added to points in rows as `+ t`; to points in columns, as from `R @ points.T`, it is "
         "`+ t[:, None]`.",
     ),
     (

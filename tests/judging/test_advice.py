@@ -174,5 +174,11 @@ def test_two_unknowns_want_two_columns():
     assert "`np.column_stack([a, b])`" in words
 
 
+def test_a_system_lying_on_its_side():
+    A, b = np.ones((2, 24)), np.ones(24)
+    words = said(lambda: np.linalg.lstsq(A, b, rcond=None))
+    assert "one row for each equation" in words
+
+
 def test_an_array_for_a_yes_or_no_can_have_an_axis_too_many():
     assert "an axis too many" in said(lambda b: 1 if b < 0 else 2, np.arange(6.0))

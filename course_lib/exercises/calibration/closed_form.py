@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from course_lib.exercises.calibration import closed_form_misconceptions as wrong
 from course_lib.exercises.calibration import inputs, plain
+from course_lib.exercises.calibration import pose_misconceptions as pose
 from course_lib.judging import Close, Exercise, Misconception, Part
 
 BOARD_POINTS = Exercise(
@@ -77,7 +78,7 @@ HOMOGRAPHY_CONSTRAINTS = Exercise(
         Misconception(
             wrong.half_of_the_mixed_products,
             "B12 stands twice in B, once above the diagonal and once below. Do both count?",
-            also=[wrong.half_of_the_mixed_squares],
+            also=[wrong.half_of_the_mixed_squares, wrong.half_in_v11, wrong.half_in_v22],
         ),
         Misconception(
             wrong.in_the_order_of_rows,
@@ -143,7 +144,7 @@ INTRINSICS_FROM_HOMOGRAPHIES = Exercise(
             wrong.order_of_b_mixed_up,
             "Cholesky finds no factor. Does b belong to the smallest singular value, is B11 "
             "positive, and where in B does the third number of b go?",
-            also=[wrong.largest_singular_value],
+            also=[wrong.largest_singular_value, wrong.column_of_the_last_factor],
         ),
         Misconception(
             wrong.rows_not_below_each_other,
@@ -169,56 +170,56 @@ POSE_FROM_HOMOGRAPHY = Exercise(
     ),
     misconceptions=[
         Misconception(
-            wrong.intrinsics_left_out,
+            pose.intrinsics_left_out,
             "H holds pixels, a pose holds lengths. What stands between them?",
         ),
         Misconception(
-            wrong.K_not_inverted,
+            pose.K_not_inverted,
             "K makes pixels of directions. Which way do you have to go here?",
         ),
         Misconception(
-            wrong.behind_the_camera,
+            pose.behind_the_camera,
             "Look at the third number of your t: is the board before the camera?",
         ),
         Misconception(
-            wrong.only_t_turned_to_the_front,
+            pose.only_t_turned_to_the_front,
             "The unknown factor is common to r1, r2 and t. If it is negative, which of them turn?",
         ),
         Misconception(
-            wrong.last_factor_transposed,
+            pose.last_factor_transposed,
             "NumPy's SVD gives its last factor transposed already. What do you multiply U with?",
         ),
         Misconception(
-            wrong.built_upon_r1,
+            pose.built_upon_r1,
             "Your R trusts r1 wholly and bends only r2. Which rotation is nearest to all columns?",
         ),
         Misconception(
-            wrong.not_a_rotation,
+            pose.not_a_rotation,
             "Multiply your R by its transpose. Is that the identity when H has noise?",
         ),
         Misconception(
-            wrong.lengths_mended_only,
+            pose.lengths_mended_only,
             "Your columns are of length 1. Are the first two perpendicular when H has noise?",
         ),
         Misconception(
-            wrong.t_not_scaled,
+            pose.t_not_scaled,
             "You scaled r1 and r2. Which of the three columns has the same unknown factor?",
         ),
         Misconception(
-            wrong.t_scaled_by_r1,
+            pose.t_scaled_by_r1,
             "With noise r1 and r2 are not equally long. Which length does the task ask for?",
         ),
         Misconception(
-            wrong.mirrored,
+            pose.mirrored,
             "What is the determinant of your R? A right hand should not become a left one.",
-            also=[wrong.mirrored_and_not_a_rotation],
+            also=[pose.mirrored_and_not_a_rotation],
         ),
         Misconception(
-            wrong.camera_to_board,
+            pose.camera_to_board,
             "Your R leads from the camera to the board. Which way does a pose go here?",
         ),
         Misconception(
-            wrong.third_column_in_R,
+            pose.third_column_in_R,
             "The third column of H belongs to t. Where does the third axis of the board come from?",
         ),
     ],

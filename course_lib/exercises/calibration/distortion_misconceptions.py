@@ -99,3 +99,18 @@ def right_side_point_by_point(ideal, observed, K):
 
 def left_side_point_by_point(ideal, observed, K):
     return solved(design(ideal, K), u_then_v(observed - ideal))
+
+
+def four_columns(ideal, observed, K):
+    A = design(ideal, K)
+    return np.linalg.lstsq(np.hstack([A[..., 0], A[..., 1]]), observed - ideal, rcond=None)[0]
+
+
+def all_that_lstsq_gives(ideal, observed, K):
+    A = design(ideal, K).reshape(-1, 2)
+    return np.linalg.lstsq(A, (observed - ideal).ravel(), rcond=None)
+
+
+def normalised_on_both_sides(ideal, observed, K):
+    focal = np.array([K[0, 0], K[1, 1]])
+    return solved(design(ideal, K) / focal[:, None], (observed - ideal) / focal)

@@ -219,22 +219,23 @@ def with_one_slip(view: Floats, size: float) -> Floats:
     return np.vstack([view[:1] * slip / np.sqrt(squares[0]), view[1:]])
 
 
-def some_bad_views(rng: Generator, sizes: Floats, slipped: float) -> Floats:
-    """Draw views of given RMS errors, and one more in which a single corner is to blame.
+def some_bad_views(rng: Generator, sizes: Floats, slipped: Floats) -> Floats:
+    """Draw views of given RMS errors, and more in which a single corner is to blame.
 
     The last of the sizes is so large that it pulls the mean up, and the other bad views would
-    pass; the mean length of the view with the slip is near the usual one.
+    pass. Of the views with a slip one is to go and one may stay: the mean length would keep both,
+    the worst corner neither.
     """
-    slip = with_one_slip(views_of_size(rng, sizes[:1])[0], slipped)
-    return rng.permutation(np.concatenate([views_of_size(rng, sizes), slip[None]]))
+    slips = [with_one_slip(views_of_size(rng, sizes[:1])[0], size) for size in slipped]
+    return rng.permutation(np.concatenate([views_of_size(rng, sizes), slips]))
 
 
 def one_bad_view(rng: Generator) -> Inputs:
-    """Draw a very bad view, two that are bad enough, and one that is just good enough."""
-    sizes = 1.5 * np.array([0.85, 0.95, 1, 1, 1, 1, 1.05, 1.75, 2.5, 14])
-    return {"residuals": some_bad_views(rng, sizes, 1.5 * 2.4), "limit": 2.0}
+    """Draw a very bad view, two that are bad enough, and some just good enough."""
+    sizes = 1.5 * np.array([0.85, 0.95, 1, 1, 1, 1, 1, 1, 1.05, 1.38, 1.75, 2.5, 14])
+    return {"residuals": some_bad_views(rng, sizes, 1.5 * np.array([1.6, 2.4])), "limit": 2.0}
 
 
 def another_limit(rng: Generator) -> Inputs:
-    sizes = 2.0 * np.array([0.85, 1, 1, 1, 1, 1.1, 1.8, 2.5, 3.7, 20])
-    return {"residuals": some_bad_views(rng, sizes, 2.0 * 3.5), "limit": 3.0}
+    sizes = 2.0 * np.array([0.85, 1, 1, 1, 1, 1, 1.1, 1.6, 1.8, 4, 20])
+    return {"residuals": some_bad_views(rng, sizes, 2.0 * np.array([2.6, 3.5])), "limit": 3.0}

@@ -45,13 +45,26 @@ REJECT_VIEWS = Exercise(
             "RMS does?",
         ),
         Misconception(
+            wrong.worst_corner,
+            "You look at the worst corner of each view. What of the others: is an RMS one corner?",
+        ),
+        Misconception(
             wrong.median_of_residuals,
             "You take the median of du and dv, of either sign. Of which numbers should it be?",
         ),
         Misconception(
             wrong.numbers_of_the_views,
-            "These are numbers of views. What is asked for at each view?",
-            also=[wrong.places_from_where, wrong.numbers_of_those_that_go],
+            "This is not a yes or no for each view. What does a comparison give, before you pick "
+            "with it?",
+            also=[
+                wrong.places_from_where,
+                wrong.numbers_of_those_that_go,
+                wrong.residuals_that_stay,
+            ],
+        ),
+        Misconception(
+            wrong.squares_compared,
+            "Is it errors that you compare, or their squares? Where is the root?",
         ),
         Misconception(
             wrong.each_point,
@@ -113,6 +126,10 @@ PARAMETER_COVARIANCE = Exercise(
         Misconception(
             wrong.rows_for_parameters,
             "Your divisor is zero. Does J have a row for each parameter, or a column?",
+        ),
+        Misconception(
+            wrong.more_parameters_than_residuals,
+            "Your variances are negative. Which are more: the residuals, or the parameters?",
         ),
         Misconception(
             wrong.residuals_for_parameters,

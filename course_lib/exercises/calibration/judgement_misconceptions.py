@@ -64,7 +64,23 @@ def places_from_where(residuals, limit):
 
 
 def numbers_of_those_that_go(residuals, limit):
-    return np.flatnonzero(those_to_reject(residuals, limit))
+    rms = view_rms(residuals)
+    return np.flatnonzero(rms > limit * np.median(rms))
+
+
+def residuals_that_stay(residuals, limit):
+    rms = view_rms(residuals)
+    return residuals[rms <= limit * np.median(rms)]
+
+
+def squares_compared(residuals, limit):
+    squares = view_rms(residuals) ** 2
+    return squares <= limit * np.median(squares)
+
+
+def worst_corner(residuals, limit):
+    errors = np.linalg.norm(residuals, axis=2).max(axis=1)
+    return errors <= limit * np.median(errors)
 
 
 def each_point(residuals, limit):
@@ -146,6 +162,11 @@ def inverted_entry_by_entry(J, residuals):
 
 def rows_for_parameters(J, residuals):
     return variance_with(J, residuals, len(residuals) - len(J))
+
+
+def more_parameters_than_residuals(J, residuals):
+    m, n = J.shape
+    return variance_with(J, residuals, n - m)
 
 
 def residuals_for_parameters(J, residuals):

@@ -68,6 +68,18 @@ INITIAL_DISTORTION = Exercise(
             also=[bent.left_side_point_by_point],
         ),
         Misconception(
+            bent.four_columns,
+            "How many unknowns has your system? Do the equations of v need columns of their own?",
+        ),
+        Misconception(
+            bent.all_that_lstsq_gives,
+            "NumPy's `lstsq` gives four things at once. Which of them is the solution?",
+        ),
+        Misconception(
+            bent.normalised_on_both_sides,
+            "Without noise it is right. In which unit are the misses that the text makes small?",
+        ),
+        Misconception(
             bent.k1_only,
             "Your k2 is zero. How many unknowns does the system have?",
         ),
@@ -109,6 +121,14 @@ REPROJECTION_RESIDUALS = Exercise(
             "Without distortion it is right. Is your r as small as a tangent, or as large as "
             "pixels or millimetres?",
             also=[wrong.radius_in_pixels_from_the_centre, wrong.radius_before_depth],
+        ),
+        Misconception(
+            wrong.radius_of_the_observed,
+            "Without distortion it is right. Is r that of the ideal point, or of the observed one?",
+        ),
+        Misconception(
+            wrong.one_left_out,
+            "A lens without distortion leaves points where they are. Where do yours go then?",
         ),
         Misconception(
             wrong.distortion_backwards,
@@ -176,7 +196,12 @@ RMS_ERROR = Exercise(
         Misconception(
             wrong.columns_for_points,
             "A row is a point. Do you add du and dv of each point, or all du of the board?",
-            also=[wrong.one_error_for_u_one_for_v, wrong.lengths_of_columns],
+            also=[wrong.one_error_for_u_one_for_v, wrong.lengths_of_columns, wrong.mean_of_u_and_v],
+        ),
+        Misconception(
+            wrong.length_of_each,
+            "You have a number for each point. Which step makes a single one of them?",
+            also=[wrong.rms_of_each],
         ),
         Misconception(
             wrong.mean_length,

@@ -78,6 +78,16 @@ def with_radius_of(far: Any, points: Any, K: Any, R: Any, t: Any, k: Any) -> Any
     return offset * (1 + k[0] * r2 + k[1] * r2**2) + K[:2, 2]
 
 
+def radius_of_the_observed(points, pixels, K, R, t, k):
+    seen = (pixels - K[:2, 2]) / [K[0, 0], K[1, 1]]
+    return with_radius_of(seen, points, K, R, t, k) - pixels
+
+
+def one_left_out(points, pixels, K, R, t, k):
+    offset = pixels_of(points, K, R, t, k) - pixels_of(points, K, R, t, [0, 0])
+    return offset + K[:2, 2] - pixels
+
+
 def radius_before_depth(points, pixels, K, R, t, k):
     return with_radius_of((points @ R.T + t)[:, :2], points, K, R, t, k) - pixels
 
@@ -173,6 +183,18 @@ def columns_for_points(residuals):
 
 def one_error_for_u_one_for_v(residuals):
     return np.sqrt((residuals**2).mean(axis=0))
+
+
+def mean_of_u_and_v(residuals):
+    return np.sqrt((residuals**2).mean(axis=0)).mean()
+
+
+def length_of_each(residuals):
+    return np.sqrt((residuals**2).sum(axis=1))
+
+
+def rms_of_each(residuals):
+    return np.sqrt((residuals**2).mean(axis=1))
 
 
 def lengths_of_columns(residuals):
