@@ -179,6 +179,11 @@ def test_wrong_matches_do_not_bend_a_robust_block():
     assert errors[1].total < 0.5 * errors[0].total
     assert np.median(robust.weights[known.wrong]) < 0.1
     assert np.median(robust.weights[~known.wrong]) == 1
+    sizes = np.linalg.norm(robust.residuals, axis=1) / 0.5
+    huber = np.where(sizes > 2.5, 5 * sizes - 2.5**2, sizes**2).sum()
+    survey = ((robust.control_residuals / 0.02) ** 2).sum()
+    assert robust.converged
+    assert robust.cost == pytest.approx(huber + survey)
 
 
 def test_control_orients_and_check_points_judge():

@@ -33,7 +33,9 @@ def scipy_minimum(start, seen, robust=None):
         return np.where(sizes > robust, far, sizes)
 
     x = np.zeros(6 * v + 3 * len(start.points))
-    fit = least_squares(residuals, x, x_scale="jac", ftol=1e-12, xtol=1e-12, gtol=1e-12)
+    fit = least_squares(
+        residuals, x, x_scale="jac", ftol=1e-12, xtol=1e-12, gtol=1e-12, max_nfev=60
+    )
     return 2 * fit.cost
 
 
