@@ -68,14 +68,14 @@ def triangulate(points1: ArrayLike, points2: ArrayLike, P1: ArrayLike, P2: Array
     found = np.empty((len(flat1), 3))
     for start in range(0, len(found), BLOCK):
         part = slice(start, start + BLOCK)
-        x1, x2 = _meeting(flat1[part], flat2[part], F)
+        x1, x2 = meeting_pixels(flat1[part], flat2[part], F)
         depths = _depths(x1, x2, A, e, start)
         x1 *= depths
         np.add((back @ x1).T, centre, out=found[part])
     return found.reshape(*one.shape[:-1], 3)
 
 
-def _meeting(points1: Array, points2: Array, F: Array) -> tuple[Array, Array]:
+def meeting_pixels(points1: Array, points2: Array, F: Array) -> tuple[Array, Array]:
     """Return homogeneous pixels, (3, n), moved by Sampson's step so that their rays nearly meet."""
     x1, x2 = np.ones((3, len(points1))), np.ones((3, len(points1)))
     x1[:2], x2[:2] = points1.T, points2.T

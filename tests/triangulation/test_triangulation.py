@@ -6,6 +6,7 @@ from two_views import K, scene
 
 from course_lib.camera import camera_at, camera_matrix, pixel_ray, project
 from course_lib.checks import DegenerateConfigurationError
+from course_lib.epipolar import fundamental_from_cameras, sampson_error
 from course_lib.triangulation import (
     closest_points_on_rays,
     depth_from_disparity,
@@ -17,6 +18,7 @@ from course_lib.triangulation import (
     triangulate_linear,
     triangulate_midpoint,
 )
+from course_lib.triangulation.two_views import meeting_pixels
 
 PAIR = np.stack([camera_matrix(K, np.eye(3), [0, 0, 0]), camera_matrix(K, np.eye(3), [-1, 0, 0])])
 
@@ -71,6 +73,17 @@ def test_closed_form_is_the_smallest_reprojection_error(seed):
     assert front.mean() > 0.9
     assert (best_squares <= quick_squares * (1 + 1e-9) + 1e-12).all()
     assert np.median(quick_squares / best_squares) < 1.001
+
+
+def test_moved_pixels_have_rays_that_meet():
+    s = scene(3, count=100)
+    F = fundamental_from_cameras(s.P1, s.P2)
+    one, other = meeting_pixels(s.points1, s.points2, F)
+    before = sampson_error(s.points1, s.points2, F)
+    after = sampson_error(one[:2].T, other[:2].T, F)
+    assert np.median(after) < 0.01 * np.median(before)
+    moved = np.hypot(*(one[:2].T - s.points1).T), np.hypot(*(other[:2].T - s.points2).T)
+    np.testing.assert_allclose(np.hypot(*moved), before, rtol=1e-9)
 
 
 def test_more_views_and_gaps():
