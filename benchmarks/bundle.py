@@ -125,7 +125,7 @@ def _turn_slopes(cameras: Any, seen: Any) -> Any:
     """Return the left Jacobians of SO(3) of each observation's camera, (m, 3, 3)."""
     import numpy as np
 
-    from course_lib.exponential import _average_rotation
+    from course_lib.transforms.exponential import _average_rotation
 
     return np.array([_average_rotation(turn) for turn in cameras[:, :3]])[seen.cameras]
 

@@ -33,7 +33,7 @@ def measured() -> list[list[Any]]:
     import cv2
     import numpy as np
 
-    from course_lib.corner_fit import refine_corners
+    from course_lib.detection.corner_fit import refine_corners
     from data_generators.calibration_sets import calibration_set
 
     cv2.setNumThreads(1)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from course_lib.calibration_views import board_points
+from course_lib.calibration.views import board_points
 from course_lib.checks import Array, check_length
 
 #: Fewer points in a row or column make no grid; corners are looked for three by three at least.

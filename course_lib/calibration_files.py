@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.checks import Array, check_intrinsics, check_size
-from course_lib.distortion_forms import bouguet_from_opencv, opencv_from_bouguet
-from course_lib.distortion_model import check_coefficients
+from course_lib.distortion.forms import bouguet_from_opencv, opencv_from_bouguet
+from course_lib.distortion.model import check_coefficients
 
 #: Names of the forms, and the ending of a file by default.
 FORMS = {"opencv": ".yml", "matlab": ".m", "kalibr": ".yaml", "json": ".json"}

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from course_lib.checks import check_intrinsics, check_numbers
 from course_lib.distortion import undistortion_map
-from course_lib.distortion_model import check_coefficients
+from course_lib.distortion.model import check_coefficients
 
 Picture = NDArray[Any]
 #: Whole columns and rows, and both fractions in one number: what OpenCV reads fastest.

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from course_lib.camera import Camera
 from course_lib.checks import Array, check_not_negative, check_number
-from course_lib.distortion_pixels import undistort_pixels
+from course_lib.distortion.pixels import undistort_pixels
 from data_generators.lens import MM, Lens
 from data_generators.motion import Motion
 from data_generators.raycast import rays

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from course_lib.bundle import Block, Control, Observations
 from course_lib.bundle.block import Indices
-from course_lib.calibration_model import rotations_from_vectors
+from course_lib.calibration.model import rotations_from_vectors
 from course_lib.checks import Array
 from course_lib.transforms import look_at, rotation_from_omega_phi_kappa
 

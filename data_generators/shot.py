@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from course_lib.camera import Camera
 from course_lib.checks import Array, check_length
-from course_lib.distortion_model import check_coefficients
+from course_lib.distortion.model import check_coefficients
 from course_lib.sensor import SensorModel, bayer_mosaic, expose, vignetting
 from data_generators.aim import Shutter
 from data_generators.lens import Lens

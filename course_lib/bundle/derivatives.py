@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.bundle.block import Block, Observations
-from course_lib.calibration_model import rotations_from_vectors
+from course_lib.calibration.model import rotations_from_vectors
 from course_lib.checks import (
     Array,
     DegenerateConfigurationError,

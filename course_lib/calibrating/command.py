@@ -89,7 +89,7 @@ def _calibrate(options: argparse.Namespace) -> int:
     from course_lib.calibrating.pictures import find_photos
     from course_lib.calibrating.report import write_report
     from course_lib.calibrating.solving import solve
-    from course_lib.calibration_model import CameraModel
+    from course_lib.calibration.model import CameraModel
 
     board = board_of(options)
     names = tuple(name for name in options.coefficients.replace(" ", "").split(",") if name)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from course_lib.calibration import Calibration
 from course_lib.checks import Array
 from course_lib.distortion import undistort_points
-from course_lib.distortion_pixels import normalised_from_pixels
+from course_lib.distortion.pixels import normalised_from_pixels
 
 #: Where directions are looked at: columns and rows of pixels over the picture.
 GRID = (9, 7)

@@ -19,8 +19,8 @@ from course_lib.calibration import (
     held_out_rms,
 )
 from course_lib.checks import Array, DegenerateConfigurationError
-from course_lib.circles import distorted_circle_bias
 from course_lib.detection import Detection
+from course_lib.detection.circles import distorted_circle_bias
 
 #: Fewer views cannot do without one in five.
 FEWEST_TO_HOLD_OUT = 6

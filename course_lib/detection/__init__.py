@@ -5,8 +5,8 @@ from __future__ import annotations
 from numpy.typing import ArrayLike
 
 from course_lib.boards import Board, Charuco, Checkerboard, DotGrid, SquareGrid
-from course_lib.corner_fit import refine_corners
 from course_lib.detection.checkerboards import detect_checkerboard
+from course_lib.detection.corner_fit import refine_corners
 from course_lib.detection.dots import detect_dots
 from course_lib.detection.markers import detect_charuco
 from course_lib.detection.result import Detection

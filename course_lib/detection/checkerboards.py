@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 
 from course_lib.boards import Checkerboard
 from course_lib.checks import Array
-from course_lib.corner_fit import MOST, SHARE, CornerFit, fit_corners, refine_corners
+from course_lib.detection.corner_fit import MOST, SHARE, CornerFit, fit_corners, refine_corners
+from course_lib.detection.lattices import cell_middles, next_row, turned
 from course_lib.detection.reasons import is_board, judged, why_not_found
 from course_lib.detection.result import (
     Detection,
@@ -22,7 +23,6 @@ from course_lib.detection.result import (
     shrunk,
     smaller_pictures,
 )
-from course_lib.lattices import cell_middles, next_row, turned
 
 #: Squares beyond the board's last: so many must be dark or light in turn, with so much contrast.
 MANY, STRONG = 0.8, 0.4

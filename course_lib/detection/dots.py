@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from course_lib.boards import DotGrid, SquareGrid
 from course_lib.checks import Array
+from course_lib.detection.lattices import grid_of_loose_points, turned
 from course_lib.detection.reasons import too_blurred
 from course_lib.detection.result import (
     Detection,
@@ -20,7 +21,6 @@ from course_lib.detection.result import (
     nothing,
     smaller_pictures,
 )
-from course_lib.lattices import grid_of_loose_points, turned
 
 #: Smallest area of a dot, px, and the largest by the picture's.
 SMALLEST, LARGEST = 12.0, 0.02

@@ -8,9 +8,9 @@ import numpy as np
 
 from course_lib.boards import Checkerboard
 from course_lib.checks import Array
-from course_lib.corner_fit import CornerFit, fit_corners
+from course_lib.detection.corner_fit import CornerFit, fit_corners
+from course_lib.detection.lattices import cell_middles, next_row
 from course_lib.detection.result import Detection, Picture, Problem, nothing, smaller_pictures
-from course_lib.lattices import cell_middles, next_row
 
 #: A blur is too wide beyond this part of a square, px of the picture's long side, and px.
 BLUR_OF_SQUARE, BLUR_OF_PICTURE, BLUR_PIXELS = 0.12, 0.0035, 1.5

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from course_lib.camera.projection import check_finite_camera
 from course_lib.checks import (
     Array,
     DegenerateConfigurationError,
@@ -18,9 +19,8 @@ from course_lib.checks import (
     check_rotation,
     check_vector,
 )
-from course_lib.poses import compose, invert_pose
-from course_lib.projection import check_finite_camera
-from course_lib.rotations import cross_matrix
+from course_lib.transforms.poses import compose, invert_pose
+from course_lib.transforms.rotations import cross_matrix
 
 #: A baseline that is rounding, as a share of the numbers it is the difference of.
 NO_BASELINE = 1e-12

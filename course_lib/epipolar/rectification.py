@@ -21,8 +21,8 @@ from course_lib.checks import (
 from course_lib.epipolar.lines import check_pairs, epipoles
 from course_lib.epipolar.matrices import SAME_PLACE, check_two_view, unit
 from course_lib.homogeneous import apply_homography, to_homogeneous
-from course_lib.linear_least_squares import solve_qr
-from course_lib.rotations import cross_matrix
+from course_lib.least_squares.linear import solve_qr
+from course_lib.transforms.rotations import cross_matrix
 
 INSIDE = (
     "an epipole is in the picture (one camera is in front of the other): no turn makes all "

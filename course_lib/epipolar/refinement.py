@@ -11,7 +11,7 @@ from typing import Any, NamedTuple, Protocol, Self, TypeVar
 import numpy as np
 
 from course_lib.checks import Array
-from course_lib.rotations import cross_matrix
+from course_lib.transforms.rotations import cross_matrix
 
 #: The matrices that multiply like cross products with the axes, shape (3, 3, 3).
 AXES = np.array([cross_matrix(axis) for axis in np.eye(3)])

@@ -20,13 +20,13 @@ from course_lib.checks import (
     check_vector,
 )
 from course_lib.correspondences import check_correspondences
-from course_lib.euler import (
+from course_lib.least_squares import levenberg_marquardt
+from course_lib.orientation.three_points import unit_rays
+from course_lib.transforms.euler import (
     CV_FROM_PHOTOGRAMMETRIC,
     omega_phi_kappa_from_rotation,
     rotation_from_omega_phi_kappa,
 )
-from course_lib.least_squares import levenberg_marquardt
-from course_lib.orientation.three_points import unit_rays
 
 #: A number that changes the residuals by a smaller share than others do is open.
 UNFELT = 1e-7

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from course_lib.camera.projection import check_finite_camera
 from course_lib.checks import (
     LARGEST,
     Array,
@@ -16,7 +17,6 @@ from course_lib.checks import (
     check_numbers,
     check_points,
 )
-from course_lib.projection import check_finite_camera
 from course_lib.triangulation.rays import check_apart
 
 STEPS = 30

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from course_lib.camera.projection import check_finite_camera
 from course_lib.checks import (
     Array,
     DegenerateConfigurationError,
@@ -16,7 +17,6 @@ from course_lib.checks import (
     check_points,
     check_vector,
 )
-from course_lib.projection import check_finite_camera
 
 #: The sine of an angle between rays that are parallel but for rounding.
 PARALLEL = 1e-12

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from course_lib.checks import Array, DegenerateConfigurationError, check_points
 from course_lib.epipolar.matrices import transfer_and_epipole
-from course_lib.rotations import cross_matrix
+from course_lib.transforms.rotations import cross_matrix
 
 #: So many points are worked on together: their intermediate results stay in the cache.
 BLOCK = 4096

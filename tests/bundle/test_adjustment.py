@@ -16,8 +16,8 @@ from course_lib.bundle.derivatives import Position
 from course_lib.bundle.gauge import free_numbers, gauge_directions
 from course_lib.bundle.structure import Structure
 from course_lib.checks import DegenerateConfigurationError
-from course_lib.exponential import rotation_from_vector
 from course_lib.orientation import check_point_rmse
+from course_lib.transforms.exponential import rotation_from_vector
 from data_generators.blocks import flight, turntable
 
 

@@ -7,8 +7,8 @@ from real_data import fetched
 
 from course_lib import data
 from course_lib.boards import Charuco, DotGrid, SquareGrid
-from course_lib.circles import circle_bias
 from course_lib.detection import detect_board
+from course_lib.detection.circles import circle_bias
 from data_generators.board_scenes import board_texture
 from data_generators.calibration_sets import calibration_set
 

@@ -12,7 +12,7 @@ mpl.use("Agg")  # as a test has no screen
 from matplotlib.quiver import Quiver
 
 from course_lib import calibration as cal
-from course_lib.calibration_model import CameraModel
+from course_lib.calibration.model import CameraModel
 from course_lib.detection import Detection, detect_board
 from course_lib.distortion import distort
 from course_lib.drawing import calibration as draw

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from course_lib import calibration as cal
-from course_lib.calibration_model import CameraModel
+from course_lib.calibration.model import CameraModel
 from course_lib.distortion import distort_pixels
 from course_lib.drawing.calibration import photographs as made
 from course_lib.drawing.explorers import detection as corner

@@ -9,8 +9,8 @@ from real_data import fetched
 
 from course_lib import calibration as cal
 from course_lib.boards import Checkerboard, DotGrid
-from course_lib.circles import circle_bias
 from course_lib.detection import detect_board
+from course_lib.detection.circles import circle_bias
 from course_lib.distortion import distort_pixels
 from course_lib.drawing import calibration as draw
 from course_lib.drawing.calibration import photographs as made

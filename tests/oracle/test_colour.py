@@ -6,8 +6,8 @@ import pytest
 from skimage import color
 from skimage.data import astronaut
 
-from course_lib.mosaic import bayer_mosaic, demosaic_bilinear
-from course_lib.tone import hsv_from_rgb, rgb_from_hsv, srgb_decode, srgb_encode
+from course_lib.sensor.mosaic import bayer_mosaic, demosaic_bilinear
+from course_lib.sensor.tone import hsv_from_rgb, rgb_from_hsv, srgb_decode, srgb_encode
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from course_lib.camera import camera_matrix, decompose_projection, pixel_ray, project
-from course_lib.euler import ORDERS
 from course_lib.homogeneous import apply_homography, from_homogeneous, to_homogeneous
 from course_lib.transforms import (
     euler_from_rotation,
@@ -18,6 +17,7 @@ from course_lib.transforms import (
     rotation_from_vector,
     vector_from_rotation,
 )
+from course_lib.transforms.euler import ORDERS
 
 SEEDS = range(20)
 #: Lengths of rotation vectors: everywhere, and where formulas break down.

@@ -3,8 +3,8 @@ import pytest
 
 from course_lib.camera import camera_matrix, project
 from course_lib.checks import DegenerateConfigurationError
-from course_lib.exponential import rotation_from_vector
 from course_lib.orientation import poses_from_three_points, resect_camera, resect_robustly
+from course_lib.transforms.exponential import rotation_from_vector
 
 K = np.array([[800, 2, 320], [0, 810, 240], [0, 0, 1.0]])
 

@@ -2,13 +2,13 @@ import numpy as np
 import pytest
 
 from course_lib.checks import DegenerateConfigurationError
-from course_lib.exponential import rotation_from_vector
 from course_lib.orientation import (
     check_point_rmse,
     leave_one_out,
     pictures_for_circle,
     similarity_transform,
 )
+from course_lib.transforms.exponential import rotation_from_vector
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from course_lib.boards import Board, Charuco, Checkerboard, DotGrid
 from course_lib.calibration import Calibration, calibrate
 from course_lib.camera import camera_matrix, project
-from course_lib.circles import circle_bias
+from course_lib.detection.circles import circle_bias
 from course_lib.distortion import distort_pixels
 from course_lib.drawing.calibration.photographs import BOARD, SIZE
 from course_lib.drawing.diagrams import Floats, figure, panels, sketch, stroke, write

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.calibration import Calibration
-from course_lib.calibration_derivatives import derivative_blocks
-from course_lib.calibration_model import State
-from course_lib.calibration_result import state_of
-from course_lib.calibration_views import gather_views
+from course_lib.calibration.derivatives import derivative_blocks
+from course_lib.calibration.model import State
+from course_lib.calibration.result import state_of
+from course_lib.calibration.views import gather_views
 from course_lib.distortion import undistort_points
 from course_lib.drawing.calibration.photographs import SIZE
 from course_lib.drawing.diagrams import (

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.correction import correction_from_table, correction_table
+from course_lib.camera.projection import project
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
 from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
-from course_lib.learned_correction import HeldOut, hold_out
-from course_lib.projection import project
+from course_lib.resection.correction import correction_from_table, correction_table
+from course_lib.resection.learned_correction import HeldOut, hold_out
 from data_generators import cell
 
 if TYPE_CHECKING:

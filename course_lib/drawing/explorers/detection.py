@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from course_lib.boards import Checkerboard
-from course_lib.corner_fit import fit_corners
+from course_lib.detection.corner_fit import fit_corners
 from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Readout
 from course_lib.drawing.explorers.plot import disc
 from course_lib.homogeneous import apply_homography

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from course_lib.boards import Checkerboard
 from course_lib.calibration import reprojection_residuals
-from course_lib.calibration_derivatives import derivative_blocks
-from course_lib.calibration_model import CameraModel, State, camera_numbers
-from course_lib.calibration_views import gather_views
+from course_lib.calibration.derivatives import derivative_blocks
+from course_lib.calibration.model import CameraModel, State, camera_numbers
+from course_lib.calibration.views import gather_views
 from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Readout
 from course_lib.drawing.explorers.plot import Plot
 from course_lib.drawing.space import onlooker

@@ -15,7 +15,7 @@ BOARD_POINTS = Exercise(
         "more columns than rows": Part(inputs.landscape_board, weight=3),
         "more rows than columns": Part(inputs.portrait_board, weight=2),
     },
-    forbidden=("course_lib.calibration_views.board_points",),
+    forbidden=("course_lib.calibration.views.board_points",),
     misconceptions=[
         Misconception(
             wrong.columns_and_rows_swapped,
@@ -65,7 +65,7 @@ HOMOGRAPHY_CONSTRAINTS = Exercise(
         "small whole numbers": Part(inputs.small_homography, weight=3),
         "a view of a board": Part(inputs.view_of_a_board, weight=4),
     },
-    forbidden=("course_lib.zhang.homography_constraints",),
+    forbidden=("course_lib.calibration.zhang.homography_constraints",),
     misconceptions=[
         Misconception(
             wrong.rows_for_columns,
@@ -117,7 +117,7 @@ INTRINSICS_FROM_HOMOGRAPHIES = Exercise(
         "three views": Part(inputs.three_views, cases=2, weight=5),
         "six views, with skew": Part(inputs.many_views_with_skew, cases=2, weight=3),
     },
-    forbidden=("course_lib.zhang.intrinsics_from_homographies",),
+    forbidden=("course_lib.calibration.zhang.intrinsics_from_homographies",),
     misconceptions=[
         Misconception(
             wrong.not_scaled,
@@ -164,7 +164,7 @@ POSE_FROM_HOMOGRAPHY = Exercise(
         "with noise": Part(inputs.noisy_homography, cases=2, weight=3),
     },
     forbidden=(
-        "course_lib.zhang.pose_from_homography",
+        "course_lib.calibration.zhang.pose_from_homography",
         "cv2.solvePnP",
         "cv2.decomposeHomographyMat",
     ),

@@ -16,7 +16,7 @@ REJECT_VIEWS = Exercise(
         "one very bad view": Part(inputs.one_bad_view, weight=3),
         "another limit": Part(inputs.another_limit, weight=2),
     },
-    forbidden=("course_lib.calibration_judgement.reject_views",),
+    forbidden=("course_lib.calibration.judgement.reject_views",),
     misconceptions=[
         Misconception(
             wrong.those_to_reject,
@@ -82,7 +82,7 @@ PARAMETER_COVARIANCE = Exercise(
         "two parameters": Part(inputs.small_fit, weight=3),
         "five parameters of different size": Part(inputs.larger_fit, weight=3),
     },
-    forbidden=("course_lib.linear_least_squares.parameter_covariance",),
+    forbidden=("course_lib.least_squares.linear.parameter_covariance",),
     misconceptions=[
         Misconception(
             wrong.divided_by_all,

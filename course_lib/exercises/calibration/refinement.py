@@ -16,7 +16,7 @@ INITIAL_DISTORTION = Exercise(
         "exact points": Part(inputs.exactly_bent, weight=5),
         "points with noise": Part(inputs.bent_with_noise, weight=3),
     },
-    forbidden=("course_lib.zhang.initial_distortion",),
+    forbidden=("course_lib.calibration.zhang.initial_distortion",),
     misconceptions=[
         Misconception(
             bent.correction_for_distortion,
@@ -95,7 +95,7 @@ REPROJECTION_RESIDUALS = Exercise(
         "with distortion": Part(inputs.with_distortion, weight=4),
     },
     forbidden=(
-        "course_lib.calibration_judgement.reprojection_residuals",
+        "course_lib.calibration.judgement.reprojection_residuals",
         "cv2.projectPoints",
     ),
     misconceptions=[
@@ -187,7 +187,7 @@ RMS_ERROR = Exercise(
         "five points": Part(inputs.few_residuals, weight=2),
         "a whole board": Part(inputs.many_residuals, weight=2),
     },
-    forbidden=("course_lib.calibration_judgement.rms_error",),
+    forbidden=("course_lib.calibration.judgement.rms_error",),
     misconceptions=[
         Misconception(
             wrong.over_coordinates,
@@ -242,7 +242,7 @@ REFINE_CALIBRATION = Exercise(
         "without damping": Part(inputs.undamped_step, weight=3),
         "with damping": Part(inputs.damped_step, weight=4),
     },
-    forbidden=("course_lib.calibration_judgement.refine_calibration",),
+    forbidden=("course_lib.calibration.judgement.refine_calibration",),
     misconceptions=[
         Misconception(
             wrong.uphill,

@@ -15,7 +15,11 @@ FISHEYE_PROJECT = Exercise(
         "with coefficients": Part(inputs.with_coefficients, cases=2, weight=1.5),
         "beside and behind the camera": Part(inputs.beside_and_behind, cases=2, weight=1),
     },
-    forbidden=("course_lib.fisheye.fisheye_project", "cv2.projectPoints", "cv2.distortPoints"),
+    forbidden=(
+        "course_lib.distortion.fisheye.fisheye_project",
+        "cv2.projectPoints",
+        "cv2.distortPoints",
+    ),
     misconceptions=[
         Misconception(
             wrong.pinhole_instead,

@@ -16,7 +16,7 @@ DISTORT_RATIONAL_PRISM = Exercise(
         "the prism alone": Part(inputs.prism_alone, cases=2, weight=2),
         "all twelve": Part(inputs.all_twelve, cases=2, weight=1),
     },
-    forbidden=(*FULL_MODEL, "course_lib.distortion_model.distort_rational_prism"),
+    forbidden=(*FULL_MODEL, "course_lib.distortion.model.distort_rational_prism"),
     misconceptions=[
         Misconception(
             wrong.below_multiplied,

@@ -17,7 +17,7 @@ UNDISTORT_POINTS = Exercise(
         "all five coefficients": Part(inputs.five_at_once, cases=2, weight=3),
     },
     forbidden=(
-        "course_lib.distortion_inverse.undistort_points",
+        "course_lib.distortion.inverse.undistort_points",
         "cv2.undistortPoints",
         "cv2.undistortPointsIter",
     ),
@@ -106,7 +106,7 @@ VALID_RADIUS = Exercise(
         "two places": Part(inputs.two_folds, cases=2, weight=2),
         "none": Part(inputs.no_fold, cases=2, weight=1),
     },
-    forbidden=("course_lib.distortion_inverse.valid_radius",),
+    forbidden=("course_lib.distortion.inverse.valid_radius",),
     misconceptions=[
         Misconception(
             wrong.square_of_the_radius,

@@ -9,8 +9,8 @@ from course_lib.judging import Exercise, Misconception, Part
 
 #: The library's functions that take every lens; each answers more than one exercise.
 FULL_MODEL = (
-    "course_lib.distortion_model.distort",
-    "course_lib.distortion_pixels.distort_pixels",
+    "course_lib.distortion.model.distort",
+    "course_lib.distortion.pixels.distort_pixels",
     "cv2.projectPoints",
 )
 

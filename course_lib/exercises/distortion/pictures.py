@@ -17,8 +17,8 @@ UNDISTORTION_MAP = Exercise(
         "pixels that are not square": Part(inputs.oblong_pixels, cases=2, weight=3),
     },
     forbidden=(
-        "course_lib.distortion_pictures.undistortion_map",
-        "course_lib.distortion_pixels.distort_pixels",
+        "course_lib.distortion.pictures.undistortion_map",
+        "course_lib.distortion.pixels.distort_pixels",
         "cv2.initUndistortRectifyMap",
     ),
     misconceptions=[
