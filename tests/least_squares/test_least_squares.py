@@ -259,9 +259,6 @@ class TestRobust:
             solve_robust(np.eye(2), np.eye(2))
 
 
-@pytest.mark.parametrize(
-    "module",
-    [least_squares.fits, least_squares.linear, least_squares.marquardt, least_squares.robust],
-)
+@pytest.mark.parametrize("name", ["fits", "linear", "marquardt", "robust"])
 def test_examples_run(name):
     assert doctest.testmod(getattr(least_squares, name)).failed == 0
