@@ -79,7 +79,7 @@ def written(ax):
 
 
 class TestEachFigure(Legible):
-    UNITS = ("px", "m", "number", "no unit")
+    UNITS = ("px", "m", "cm", "number", "no unit")
     SLANTED = True  # numbers along lines of equal uncertainty
 
 
@@ -99,10 +99,10 @@ def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
 
 @pytest.mark.parametrize("pose", [None, (np.eye(3), np.full(3, np.nan))])
 def test_a_pose_that_is_none_is_not_drawn(pose):
-    figure = draw.board_poses(FOUND.K, [*FOUND.poses[:2], pose])
+    figure = draw.board_poses(FOUND.K, [*FOUND.poses[:5], pose, *FOUND.poses[6:]])
     figure.canvas.draw()
     numbers = [text for text in written(figure.axes[0]) if text.isdigit()]
-    assert sorted(numbers) == ["0", "1"]
+    assert sorted(numbers) == ["4", "6", "9"]
 
 
 # What they show
@@ -120,6 +120,23 @@ def test_arrows_lead_from_the_observed_to_the_projected_corner():
 def test_a_rejected_view_is_crossed_out():
     figure = draw.views_one_by_one(PIXELS, FOUND.residuals, np.arange(13) != 4)
     assert [len(ax.lines) for ax in figure.axes[:13]] == [0] * 4 + [2] + [0] * 8
+
+
+def test_a_board_from_above_is_where_its_pose_says():
+    ax = draw.board_poses(FOUND.K, FOUND.poses).axes[0]
+    boards = [patch.get_xy() for patch in ax.patches[1:]]  # the first is the camera
+    assert len(boards) == 4
+    for drawn, number in zip(boards, (4, 5, 6, 9), strict=True):
+        R, t = FOUND.poses[number]
+        middle = R @ (POINTS.min(axis=0) + POINTS.max(axis=0)) / 2 + t
+        np.testing.assert_allclose(drawn[:4].mean(axis=0), middle[[0, 2]] / 10)  # mm to cm
+
+
+def test_the_corners_of_the_picture_say_how_sure_their_rays_are():
+    ax = draw.ray_uncertainty(FOUND, PIXELS).axes[0]
+    said = [float(text.removesuffix(" px")) for text in written(ax) if text.endswith("px")]
+    at = np.array([[0.0, 0], [SIZE[0] - 1, 0], [0, SIZE[1] - 1], np.array(SIZE) - 1])
+    np.testing.assert_allclose(said, using.ray_sigma(FOUND, at, np.vstack(PIXELS)), atol=0.051)
 
 
 def test_the_columns_of_H_are_where_the_boards_lines_meet():

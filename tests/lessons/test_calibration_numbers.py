@@ -110,14 +110,12 @@ def test_the_window_of_the_search():
     every = [read(detection_frame(33, n, 0.8, 2), "Window search, all 54, RMS") for n in (2, 5)]
     assert every == [about(0.12, 2), about(0.045, 3)]
     assert (off(8), off(9)) == (about(0.12, 2), about(5.6, 1))
-    assert read(detection_frame(33, 5, 0.8, 2), "Next corner") == about(11, 0)
-    says("0.12 px (window 2) to 0.045 px (window 5)", "from 0.12 px to 5.6 px", "11 px away")
+    assert read(detection_frame(33, 5, 0.8, 2), "Next edge") == about(9.1, 1)
+    says("0.12 px (window 2) to 0.045 px (window 5)", "from 0.12 px to 5.6 px", "9.1 px away")
     errors = {n: off(n, blur=2) for n in range(2, 10)}
     assert sorted(errors, key=errors.get)[:2] == [4, 5]
     assert errors[2] == about(0.92, 2)
     says("4 or 5 px. A window of 2 px is narrower than the blur: 0.92 px off")
-    assert (off(5, noise=20), off(5)) == (about(0.11, 2), about(0.013, 3))
-    says("corner 33 is 0.11 px off, instead of 0.013")
 
 
 def test_worked_lines_are_what_the_exercises_return():
@@ -162,14 +160,11 @@ def test_which_views_tell_what():
     assert np.isinf([sigma(1, 2)[name] for name in ("fx", "k1")]).all()
     assert sigma(1, 2)["cx"] == about(3.3, 1)
     assert sigma(1, 2, 4)["fx"] == about(1.9, 1)
-    assert sigma(1, 2, 4, 5)["k1"] == about(0.015, 3)
-    assert sigma(1, 2, 4, 5, 7)["k1"] == about(0.004, 3)
+    assert sigma(1, 2, 4, 5)["k1"] == pytest.approx(0.0155, abs=1e-4)
     most = {n: sigma(1, 2, 4, 5, n)["k1"] for n in (3, 6, 7, 8)}
-    assert min(most, key=most.get) == 7
-    assert np.isinf(sigma(1, 2, 3)["fx"])
-    assert sigma(1, 2, 3, 4, 5)["fx"] == pytest.approx(sigma(1, 2, 4, 5)["fx"], rel=0.05)
-    assert sigma(1, 2, 3, 4, 5)["cx"] < 0.95 * sigma(1, 2, 4, 5)["cx"]
-    says("± 3.3 px", "open to ± 1.9 px", "from 0.015 to 0.004")
+    assert (most[7], most[8]) == (about(0.0038, 4), about(0.0041, 4))
+    assert min(most[3], most[6]) > 0.013
+    says("± 3.3 px", "open to ± 1.9 px", "from 0.015 to 0.0038", "to 0.0041", "above 0.013")
 
 
 def test_boards_that_face_the_camera():
@@ -183,8 +178,8 @@ def test_boards_that_face_the_camera():
 def test_dots():
     found = draw.with_dots()
     assert found.K[0, 0] - 560 == about(-0.44, 2)
-    assert 0.44 / found.sigma["fx"] == about(8, 0)
-    assert found.rms == about(0.028, 3)
+    assert 560 - found.K[0, 0] == about(0.437, 3)
+    assert (560 - found.K[0, 0]) / found.sigma["fx"] == about(7.6, 1)
     centres, off = bad.DOTS.points(), []
     for R, t in bad._shot():
         rows = (centres @ R.T + t) @ bad.K.T
@@ -195,7 +190,7 @@ def test_dots():
         )
     assert cal.rms_error(np.vstack(off)) == about(0.18, 2)
     assert bad.DOTS.diameter == 18
-    says("by 0.18 px (RMS), for dots of 18 mm", "$f$ off by 0.44 px, eight times its")
+    says("by 0.18 px for dots of 18 mm", "$f$ off by 0.437 px, 7.6 times its")
 
 
 def test_focus_and_warmth():
@@ -233,17 +228,20 @@ def test_corners_by_three_ways(photographs, pixels, wide):
 
 def test_one_picture(pixels):
     middle = (np.array(SIZE) - 1) / 2
-    f = {}
-    for view in (2, 7):
-        H = homography_dlt(PLANE, pixels[view])
+    squares = {}
+    for view, seen in enumerate(pixels):
+        H = homography_dlt(PLANE, seen)
         a, b = (H[:2, :2] / H[2, :2]).T - middle
-        f[view] = np.sqrt(-a @ b)
+        squares[view] = -a @ b
         if view == 7:
             assert a.round().tolist() == [433, -1552]
             assert b.round().tolist() == [-1863, -326]
-    assert f == {2: about(626, 0), 7: about(548, 0)}
+    assert {view for view, square in squares.items() if square < 0} == {4, 6}
+    f = sorted(np.sqrt(square) for view, square in squares.items() if square > 0 and view != 7)
+    assert (np.sqrt(squares[7]), f[0], f[-1]) == (about(548, 0), about(509, 0), about(877, 0))
     assert about(300_700, -2) == 433 * 1863 - 1552 * 326
-    says("$(433, -1552)$ and $(-1863, -326)$ px", "\\sqrt{300\\,700} = 548 \\text{ px}", "626 px")
+    says("$(433, -1552)$ and $(-1863, -326)$ px", "\\sqrt{300\\,700} = 548 \\text{ px}")
+    says("509 to 877 px, and for views 4 and 6")
 
 
 def test_the_closed_form(pixels, best):
@@ -252,6 +250,9 @@ def test_the_closed_form(pixels, best):
     assert (three[0, 0], all_views[0, 0]) == (about(497, 0), about(539, 0))
     assert all_views[0, 1] == about(-2, 0)
     assert best.K[0, 0] == about(533.5, 1)
+    np.testing.assert_allclose(np.diag(all_views) / np.diag(best.K), [1.01, 1.01, 1], atol=3e-3)
+    assert np.linalg.norm((all_views - best.K)[:2, 2]) == pytest.approx(10, abs=1)
+    says("$f$ is good to about 1 %, $c$ to 10 px")
     says("Three pictures say $f_x = 497$ px, thirteen say 539", "533.5", "$-2$ comes out")
     K, poses_ = draw.closed_form(pixels)
     depths = [t[2] for _, t in poses_]
@@ -315,7 +316,7 @@ def test_zhangs_published_numbers():
     assert len(points) == 4 * 64
 
 
-def test_views_that_do_not_fit(wide):
+def test_views_that_do_not_fit(wide, pixels):
     spoilt = cal.calibrate(POINTS, wide, SIZE)
     kept = cal.reject_views(spoilt.residuals, 2.0)
     assert np.flatnonzero(~kept).tolist() == [1, 11]
@@ -323,6 +324,10 @@ def test_views_that_do_not_fit(wide):
     left = cal.calibrate(POINTS, [v for v, k in zip(wide, kept, strict=True) if k], SIZE)
     assert left.K[0, 0] == about(533.46, 2)
     says("Views 1 and 11 go", "$f_x = 533.46$ px", "one view of 1.22 px")
+    slips = np.linalg.norm(np.subtract(wide, pixels), axis=2)
+    assert (slips > 0.5).sum(axis=1)[kept].tolist() == [0, 0, 0, 0, 0, 1, 0, 3, 0, 0, 0]
+    assert slips[kept].max() == about(1.5, 1)
+    says("in views 6 and 8, one and three corners have slipped too, by up to 1.5 px")
 
 
 def test_standard_deviations(best, pixels):
@@ -331,6 +336,9 @@ def test_standard_deviations(best, pixels):
     says("$f_x = 533.54 \\pm 0.36$ px, so 0.07 %", "0.7 mm at 1 m")
     assert (536.07 - 532.83) / best.sigma["fx"] == about(9, 0)
     residuals, J = cal.residuals_and_jacobian(best, POINTS, pixels)
+    assert np.sqrt(residuals @ residuals / (J.shape[0] - J.shape[1])) == about(0.116, 3)
+    assert best.rms == about(0.159, 3)
+    says("0.116 px for the photographs", "0.159 px.)")
     C = plain_refinement.parameter_covariance(J, residuals)
     sigma = np.sqrt(np.diag(C))[: len(best.sigma)]
     np.testing.assert_allclose(sigma, list(best.sigma.values()), rtol=1e-6)
@@ -362,15 +370,16 @@ def test_the_longest_residual(best, wide):
 
 def test_rays_where_no_corner_was(best, pixels):
     seen = np.vstack(pixels)
-    at = np.array([[320.0, 240], [30, 240], [20, 20], [20, 460]])
-    middle, left, upper, lower = using.ray_sigma(best, at, seen)
-    assert (middle, left) == (about(0.03, 2), about(0.5, 1))
-    assert (round((upper + lower) / 2), best.rms) == (5, about(0.16, 2))
-    says("0.03 px, at the left edge 0.5 px, and in the left corners 5 px", "RMS of 0.16 px")
+    at = np.array([[320.0, 240], [0, 240], [0, 0], [0, 479]])
+    middle, left, *corners = using.ray_sigma(best, at, seen)
+    assert (middle, left) == (about(0.03, 2), about(1.4, 1))
+    assert (min(corners), best.rms) == (about(9, 0), about(0.16, 2))
+    says("0.03 px, in the middle of the left edge 1.4 px, and in the left corners 9 px and more")
+    says("RMS of 0.16 px", "rays off by 9 px in a corner")
     model = cal.CameraModel(coefficients=("k1", "k2"))
     fewer = using.ray_sigma(cal.calibrate(POINTS, pixels, SIZE, model), at, seen)
-    assert fewer[2:].mean() == about(1.2, 1)
-    says("it would be 1.2 px")
+    assert fewer[1:].tolist() == [about(0.5, 1), about(1.8, 1), about(2.0, 1)]
+    says("0.5 px at the left edge and 1.8 to 2.0 px in the left corners")
 
 
 def test_models_on_pictures_held_out(pixels):

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.camera import Camera
 from course_lib.drawing.calibration.photographs import BOARD, SIZE
 from course_lib.drawing.diagrams import (
     Floats,
@@ -16,7 +15,6 @@ from course_lib.drawing.diagrams import (
     panels,
     write,
 )
-from course_lib.drawing.space import onlooker, show_axes, show_face, show_frustum
 from course_lib.drawing.style import FULL_WIDTH, ROLES
 
 if TYPE_CHECKING:
@@ -33,56 +31,56 @@ def board_outline() -> Floats:
     return np.array([[x[0], y[0], 0], [x[1], y[0], 0], [x[1], y[1], 0], [x[0], y[1], 0]])
 
 
-@figure("The camera, and the board in all its poses before it, seen from the side.")
+#: The views whose boards are drawn: near and far, left and right, tilted in several ways.
+SHOWN = (4, 5, 6, 9)
+
+
+@figure("The camera and the board in four of its poses before it, seen from above, in cm.")
 def board_poses(K: ArrayLike, poses: Sequence[Pose | None]) -> Figure:
-    """Show where the board was in each view, in the camera's frame.
+    """Show where the board was in some of the views, in the camera's frame.
 
     Parameters
     ----------
     K : array_like, shape (3, 3)
         Intrinsics, px.
     poses : sequence of (R, t) or None
-        Board to camera, mm.
+        Board to camera, mm, in the order of the views; those of `SHOWN` are drawn.
 
     Returns
     -------
     Figure
-        Camera and boards in space, numbered.
+        Camera and boards from above, numbered.
     """
-    fig, ax = panels(1, 1, (FULL_WIDTH, 4.2))
-    ax.set_aspect("equal")
-    ax.axis("off")
-    # The onlooker's world has z up: turn the camera's frame over.
-    up = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
-    view = onlooker((1000, -420, 480), (10, 230, -5), 900)
-    camera = Camera(np.asarray(K, float), up.T, np.zeros(3), SIZE)
-    show_frustum(ax, view, camera, 90.0, name="")
-    show_axes(ax, view, np.zeros(3), 110 * up.T, "xyz", "camera", "camera")
-    if any(pose is None for pose in poses):
-        write(ax, (330, 200), "no answer yet", "guide", fontsize=14)
-    order = sorted(((n, *pose) for n, pose in enumerate(poses) if pose is not None), key=_farthest)
-    taken: list[Floats] = []
-    for number, R, t in order:
-        corners = (board_outline() @ np.asarray(R).T + np.asarray(t)) @ up.T
-        if np.isfinite(corners).all():
-            show_face(ax, view, corners, "object", alpha=0.08)
-            _number(ax, np.asarray(view.project(corners)), number, taken)
-    ax.set(xlim=(0, 640), ylim=(450, 20))
+    fig, ax = panels(1, 1, (FULL_WIDTH * 0.8, 4.4))
+    K = np.asarray(K, dtype=float)
+    sides = (np.array([0, SIZE[0]]) - K[0, 2]) / K[0, 0]
+    for side in sides:
+        ax.plot([0, 60 * side], [0, 60], color=ROLES["guide"], lw=1, ls=(0, (5, 4)))
+    near = 5 * np.array([[0, 0], [sides[0], 1], [sides[1], 1]])
+    ax.fill(*near.T, fc=ROLES["camera"], ec=ROLES["camera"], lw=1.5)
+    write(ax, (4, 1.5), "camera", "camera", ha="left")
+    chosen = [(n, poses[n]) for n in SHOWN if n < len(poses)]
+    if not chosen or any(pose is None for _, pose in chosen):
+        write(ax, (0, 30), "no answer yet", "guide", fontsize=14)
+    for number, pose in chosen:
+        if pose is not None:
+            _from_above(ax, number, *pose)
+    ax.set(xlim=(-27, 27), ylim=(-2, 58), aspect="equal", xlabel="x (cm)", ylabel="z (cm)")
     return fig
 
 
-def _number(ax: Axes, corners: Floats, number: int, taken: list[Floats]) -> None:
-    """Write a board's number at the corner where there is most room, if there is any."""
-    room = [min([float(np.hypot(*(at - c))) for at in taken], default=np.inf) for c in corners]
-    best = int(np.argmax(room))
-    if room[best] > 22:
-        taken.append(corners[best])
-        write(ax, corners[best], str(number), fontsize=9)
+def _from_above(ax: Axes, number: int, R: ArrayLike, t: ArrayLike) -> None:
+    """Draw a board in the plane of the camera's x and z, with its number at its near end."""
+    corners = (board_outline() @ np.asarray(R).T + np.asarray(t)) / 10
+    if not np.isfinite(corners).all():
+        return
+    x, z = corners[:, [0, 2]].T
+    from matplotlib.colors import to_rgb
 
-
-def _farthest(numbered: tuple[int, Any, Any]) -> float:
-    """Return minus how far to the left a board is, which the onlooker sees from the right."""
-    return float(np.asarray(numbered[2])[0])
+    ax.fill(x, z, fc=(*to_rgb(ROLES["object"]), 0.12), ec=ROLES["object"], lw=2)
+    end = int(np.argmin(z))
+    aside, ha = (1, "left") if x[end] > x.mean() else (-1, "right")
+    write(ax, (x[end] + aside, z[end]), str(number), "object", fontsize=11, ha=ha)
 
 
 @figure("The rows of a board meet in one point, its columns in another: columns of H.")
@@ -113,6 +111,8 @@ def vanishing_columns(photograph: NDArray[np.uint8], H: ArrayLike) -> Figure:
     middle = (everything.min(axis=0) + everything.max(axis=0)) / 2
     _converge(ax, corners[[[0, 1], [3, 2]]], meets[0], "h_1", middle, "camera")
     _converge(ax, corners[[[0, 3], [1, 2]]], meets[1], "h_2", middle, "object")
+    _along(ax, corners[:2], meets[0], "rows", "camera")
+    _along(ax, corners[[0, 3]], meets[1], "columns", "object")
     (left, top), (right, bottom) = everything.min(axis=0), everything.max(axis=0)
     room = 0.12 * max(right - left, bottom - top)
     ax.set(xlim=(left - room, right + room), ylim=(bottom + room, top - room))
@@ -130,6 +130,13 @@ def _converge(ax: Axes, sides: Floats, meet: Floats, name: str, middle: Floats, 
     look: dict[str, Any] = {"color": ROLES[role], "ha": "right" if right else "left"}
     aside = (-12 if right else 4, 16 if low else -18)
     ax.annotate(text, tuple(meet), aside, textcoords="offset points", va="center", **look)
+
+
+def _along(ax: Axes, side: Floats, meet: Floats, name: str, role: str) -> None:
+    """Write what meets on one of the lines, halfway to where it ends."""
+    near = side[np.argmin(np.linalg.norm(side - meet, axis=1))]
+    paper = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
+    write(ax, (near + meet) / 2, name, role, bbox=paper)
 
 
 def _mapped(H: Floats, points: ArrayLike) -> Floats:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -29,11 +29,13 @@ from course_lib.drawing.style import BLACK, FULL_WIDTH, ROLES
 from course_lib.optics import image_distance
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 #: A small lens, mm, and the focal length in px that it has when it is focused far away.
 LENS, FAR = 6.0, 534.0
-GRID = (33, 25)  # columns and rows of pixels at which rays are looked at
+GRID = (129, 97)  # columns and rows of pixels at which rays are looked at
+LEVELS = (0.05, 0.1, 0.2, 1.0)  # px: where lines of equal uncertainty are drawn
 
 
 def directions(calibration: Calibration, pixels: ArrayLike) -> Floats:
@@ -111,12 +113,27 @@ def ray_uncertainty(calibration: Calibration, pixels: Sequence[ArrayLike]) -> Fi
     sigma = ray_sigma(calibration, np.column_stack([u.ravel(), v.ravel()]), seen).reshape(u.shape)
     fig, ax = panels(1, 1, (FULL_WIDTH * 0.75, 4.0))
     ax.plot(*seen.T, ".", color="#B8BEC4", ms=3)
-    levels = [0.05, 0.1, 0.2, 0.5, 2]
-    lines = ax.contour(u, v, sigma, levels=levels, colors=ROLES["object"], linewidths=1.6)
-    ax.clabel(lines, fmt=lambda level: f"{level:g} px", fontsize=8.5, inline_spacing=2)
+    ax.contour(u, v, sigma, levels=LEVELS, colors=ROLES["object"], linewidths=1.4)
     picture_frame(ax, SIZE)
+    _numbers(ax, u, v, sigma)
     ax.set_title("± px, by the covariance", fontsize=10.5)
     return fig
+
+
+def _numbers(ax: Axes, u: Floats, v: Floats, sigma: Floats) -> None:
+    """Write each line's number left of the middle, where it has room, and those of the corners."""
+    look: dict[str, Any] = {"bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1.2}}
+    row, half, last = int(0.58 * len(u)), u.shape[1] // 2, np.inf
+    for level in LEVELS:
+        at = float(np.interp(-level, -sigma[row, :half], u[row, :half]))
+        if 10 < at < last - 40:
+            write(ax, (at, v[row, 0]), f"{level:g}", "object", fontsize=9, **look)
+            last = at
+    for row, low in ((0, False), (-1, True)):
+        for column, right in ((0, False), (-1, True)):
+            at_corner = u[row, column] - (6 if right else -6), v[row, column] - (6 if low else -6)
+            look |= {"ha": "right" if right else "left", "va": "bottom" if low else "top"}
+            write(ax, at_corner, f"{sigma[row, column]:.1f} px", "object", **look)
 
 
 @figure("Pixels in a grid, and the rays behind them, which meet a wall in a bent grid.")
@@ -139,7 +156,7 @@ def set_of_rays(calibration: Calibration) -> Figure:
     K = calibration.K
     near = np.column_stack([(u.ravel() - K[0, 2]) / K[0, 0], (v.ravel() - K[1, 2]) / K[1, 1]])
     up = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
-    far, near = far @ up.T, 0.35 * np.column_stack([near, np.ones(len(near))]) @ up.T
+    far, near = far @ up.T, 0.55 * np.column_stack([near, np.ones(len(near))]) @ up.T
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.8))
     ax.set_aspect("equal")
     ax.axis("off")

@@ -57,7 +57,7 @@ def detection_frame(corner: float, reach: float, blur: float, noise: float) -> F
     fitted = fitted_corner(picture, number)
     off = np.linalg.norm(searched - truth, axis=1)
     readouts = (
-        Readout("Next corner", "", f"{_next_corner()[number]:.1f}", "px away"),
+        Readout("Next edge", "", f"{next_edge(number):.1f}", "px away"),
         Readout("Error of the window search", "", f"{off[number]:.3f}", "px"),
         Readout("Error of the fit", "", f"{np.linalg.norm(fitted - truth[number]):.3f}", "px"),
         Readout("Window search, all 54, RMS", "", f"{_rms(off):.3f}", "px"),
@@ -77,10 +77,16 @@ def true_corners() -> Floats:
 
 
 @cache
-def _next_corner() -> Floats:
-    """Return how far the nearest other corner is from each, (54,), px."""
-    apart = np.linalg.norm(true_corners()[:, None] - true_corners(), axis=2)
-    return np.asarray(np.where(apart > 0, apart, np.inf).min(axis=1))
+def next_edge(number: int) -> float:
+    """Return how far a window must reach from a corner to touch an edge that is not its own, px.
+
+    The window is upright, so the larger of the distances along u and v counts.
+    """
+    x, y = BOARD.points()[number, :2]
+    lines = np.array([[1, 0, 1 - x], [1, 0, -1 - x], [0, 1, 1 - y], [0, 1, -1 - y]])
+    a, b, c = (lines @ np.linalg.inv(H)).T  # a line l of the board is H⁻ᵀ l in the picture
+    u, v = true_corners()[number]
+    return float((np.abs(a * u + b * v + c) / (np.abs(a) + np.abs(b))).min())
 
 
 @cache
@@ -163,7 +169,7 @@ def _whole(picture: NDArray[np.uint8], number: int, reach: int) -> Picture:
     return Picture(
         "The picture",
         f"A computed picture of a board. The window around corner {number} is "
-        f"{2 * reach + 1} pixels wide; the next corner is {_next_corner()[number]:.1f} px away.",
+        f"{2 * reach + 1} pixels wide; the next edge is {next_edge(number):.1f} px away.",
         SHOWN_SIZE,
         _enlarged(picture, SHOWN_SIZE),
         lines=(Line(_box(np.rint(truth), reach, times), "ray", 2.0, closed=True),),

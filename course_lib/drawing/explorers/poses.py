@@ -38,8 +38,8 @@ VIEWS: dict[str, tuple[Floats, tuple[float, float, float]]] = {
 }
 ROOM_SIZE, SEEN_SIZE, BARS_SIZE = (330, 270), (320, 240), (300, 270)
 SCALE = SEEN_SIZE[0] / SIZE[0]
-#: The bars, from 0.01 to 100: name, unit and factor of each.
-BARS = {"fx": ("px", 1.0), "cx": ("px", 1.0), "cy": ("px", 1.0), "k1": ("× 0.001", 1000.0)}
+#: The bars, from 0.01 to 100: by name the unit, and how many times its value a bar is long.
+BARS = {"fx": ("px", 1.0), "cx": ("px", 1.0), "cy": ("px", 1.0), "k1": ("", 1000.0)}
 AXES = Plot((44, 226, 24, 236), (0.01, 100), (0, 4), log_x=True)
 #: A direction that changes no pixel by more than this part of the others is not determined.
 UNKNOWN = 1e-9
@@ -63,9 +63,9 @@ def poses_frame(noise: float, **switched: bool) -> Frame:
     chosen = [bool(switched.get(f"view{n}")) for n in range(1, len(VIEWS) + 1)]
     sigma = {name: noise * value for name, value in sigmas(chosen).items()}
     readouts = [Readout("Views", "", f"{sum(chosen)}")]
-    for name, (unit, factor) in BARS.items():
+    for name, (unit, _) in BARS.items():
         value = sigma[name]
-        text = f"± {factor * value:.2g}" if np.isfinite(value) else "not determined"
+        text = f"± {value:.2g}" if np.isfinite(value) else "not determined"
         readouts.append(Readout(name, "", text, unit if np.isfinite(value) else ""))
     return Frame((_bars(sigma, noise), _room(chosen), _seen(chosen)), tuple(readouts))
 
@@ -199,8 +199,9 @@ def _bars(sigma: dict[str, float], noise: float) -> Picture:
         box = [[left, v - 12], [end, v - 12], [end, v + 12], [left, v + 12]]
         role = "camera" if known else "guide"
         lines.append(Line(box, role, 1.0, closed=True, dashed=not known, fill=0.5 if known else 0))
-        text = f"{value:.2g} {unit}" if known else "open"
-        labels += [Label(name, (left - 6, v), anchor="end"), Label(text, (end + 5, v))]
+        text = f"{sigma[name]:.2g} {unit}".rstrip() if known else "open"
+        many = name if factor == 1 else f"{factor:.0f} {name}"
+        labels += [Label(many, (left - 6, v), anchor="end"), Label(text, (end + 5, v))]
         said.append(f"{name} {text}")
     return Picture(
         "Standard deviations",

@@ -111,7 +111,7 @@ def intrinsics_from_homographies(Hs):
 def pose_from_homography(K, H):
     """Return where a board is, from the homography of its picture.
 
-    ``K⁻¹ H = λ [r1 r2 t]`` with a number λ that may be negative.
+    ``K⁻¹ H = ρ [r1 r2 t]`` with a number ρ that may be negative.
 
     Parameters
     ----------
