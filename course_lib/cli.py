@@ -26,11 +26,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        Exit code: 0 all is well, 1 a check found something, 2 it could not be done.
+        Exit code: 0 all is well, 1 a check found something, 2 it could not be done, 130
+        it was stopped.
     """
-    options = _parser().parse_args(arguments)
+    typed = sys.argv[1:] if arguments is None else list(arguments)
+    options = _parser().parse_args(typed)
+    options.typed = typed
     try:
         return int(options.run(options))
+    except KeyboardInterrupt:
+        print("course: stopped", file=sys.stderr)
+        return 130
     except (UsageError, ValueError, OSError, RuntimeError) as error:
         print(f"course: {error}", file=sys.stderr)
         return 2

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 import sys
 from collections import Counter
 from collections.abc import Sequence
+from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from course_lib.calibrating.options import add_board_options, board_of
+from course_lib.boards import Board
+from course_lib.calibrating.options import add_board_options, board_of, coefficients_of, lengths_of
 
 if TYPE_CHECKING:
     from course_lib.calibrating.looking import Photo
@@ -17,7 +20,7 @@ if TYPE_CHECKING:
 EXAMPLE = """examples:
   course board board.pdf --board 9x6 --square 25      print this at 100 %, glue it on something flat
   course calibrate photos/ --board 9x6 --square 25    a folder with 10 to 30 photographs of it
-  course calibrate IMG_*.JPG --board 10x8 --square 25 --kind dots --diameter 15
+  course calibrate IMG_*.JPG --board 10x7 --square 25 --kind dots --diameter 15
 
 The exit code is 0 if all is well, 1 if there is something to do, 2 if there is no camera to tell.
 
@@ -42,7 +45,7 @@ def add_calibrate_command(commands: Any) -> None:
         "--coefficients",
         default="k1,k2,p1,p2,k3",
         metavar="k1,k2,…",
-        help="which numbers of distortion to estimate (%(default)s)",
+        help="which numbers of distortion to estimate, or none (%(default)s)",
     )
     command.add_argument(
         "--output",
@@ -60,7 +63,7 @@ def add_board_command(commands: Any) -> None:
         "board",
         help="write a board to print, as a PDF of exact size",
         description="Write a board to print, as a PDF page of exact size. Print it at 100 % (not "
-        "'fit to page'), measure the bar at its foot, and glue it on something flat.",
+        "'fit to page'), measure its bars, and glue it on something flat.",
     )
     command.add_argument("file", type=Path, metavar="FILE.pdf")
     add_board_options(command)
@@ -78,60 +81,61 @@ def _board(options: argparse.Namespace) -> int:
     from data_generators.printable import save_board
 
     board = board_of(options)
+    if options.file.suffix.lower() != ".pdf":
+        raise ValueError(f"{options.file} must end in .pdf: a board is written as a PDF")
     save_board(options.file, board, options.page)
-    say(f"Wrote {options.file}: {board.name}. Print it at 100 % and measure its bar.")
+    say(f"Wrote {options.file}: {board.name}. Print it at 100 % and measure its bars.")
     return 0
 
 
 def _calibrate(options: argparse.Namespace) -> int:
     from course_lib.calibrating.judgement import judge
     from course_lib.calibrating.looking import look_at_photos
-    from course_lib.calibrating.pictures import find_photos
+    from course_lib.calibrating.output import check_output
+    from course_lib.calibrating.pictures import find_photos, left_out
     from course_lib.calibrating.report import write_report
     from course_lib.calibrating.solving import solve
-    from course_lib.calibration.model import CameraModel
+    from course_lib.calibration import CameraModel
 
     board = board_of(options)
-    names = tuple(name for name in options.coefficients.replace(" ", "").split(",") if name)
-    model = CameraModel(coefficients=names)
-    paths = find_photos(options.photos)
-    say(f"Looking for {board.name} in {len(paths)} photographs:")
+    model = CameraModel(coefficients=coefficients_of(options.coefficients))
+    paths, others = find_photos(options.photos), left_out(options.photos)
+    check_output(options.output)
+    for line in others:
+        say(line)
+    say(f"Looking for {board.name}, {lengths_of(board)}, in {len(paths)} photographs:")
     photos = look_at_photos(paths, board, say)
-    _check_enough(photos)
+    _check_enough(photos, board)
     solved = solve(photos, board, model)
     judgement = judge(solved)
-    files = write_report(options.output, solved, judgement)
+    files = write_report(options.output, solved, judgement, [*_told(options), *others])
     say("")
     for statement in judgement.statements:
         say(f"{statement.sign} {statement.text}")
     say("\nWrote " + ", ".join(str(file) for file in files))
+    say(f"Next: open {files[0]}; it also shows how to straighten a photograph.")
     return 0 if judgement.fine else 1
 
 
-def _check_enough(photos: Sequence[Photo]) -> None:
-    """Raise unless the board was found in three photographs."""
-    from course_lib.calibrating.judgement import KINDS
+def _told(options: argparse.Namespace) -> list[str]:
+    """Return the command, and when and where it was run."""
+    now, typed = datetime.now().astimezone(), shlex.join(["course", *options.typed])
+    return [typed, f"{now:%d %B %Y, %H:%M}, in {Path.cwd()}"]
+
+
+def _check_enough(photos: Sequence[Photo], board: Board) -> None:
+    """Raise unless the board was found in three photographs, and no other in most."""
+    from course_lib.calibrating.looking import check_board
+    from course_lib.calibrating.photographs import KINDS
 
     used = [photo for photo in photos if photo.used]
-    kinds = Counter(photo.problem for photo in photos if not photo.used)
-    if len(used) >= 3 and kinds["wrong size"] <= len(used):
+    check_board(photos, board)
+    if len(used) >= 3:
         return
+    kinds = Counter(photo.problem for photo in photos if not photo.used)
     told = ", ".join(f"{count} {KINDS.get(kind, kind)}" for kind, count in kinds.most_common())
-    hint = _hint(photos)
-    of_others = f" Of the others: {told}." if told else ""
+    of_others = f". Of the others: {told}; the lines above say what to do" if told else ""
     raise ValueError(
         f"the board was found in {len(used)} of {len(photos)} photographs; 3 are needed, 10 to 30 "
-        f"are good.{of_others}{hint}"
-    )
-
-
-def _hint(photos: Sequence[Photo]) -> str:
-    """Return what board was seen in most photographs."""
-    seen = Counter(p.detection.seen for p in photos if p.detection and all(p.detection.seen))
-    (columns, rows), count = seen.most_common(1)[0] if seen else ((0, 0), 0)
-    if count < len(photos) / 2:
-        return ""
-    return (
-        f" In {count} of them {columns} × {rows} were seen: is it --board {columns}x{rows}? "
-        "It wants inner corners, where four squares meet, not squares."
+        f"are good{of_others}"
     )

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from course_lib.boards import DotGrid
+from course_lib.calibrating.photographs import on_distance, on_files, on_views
 from course_lib.calibrating.precision import angle_sigma, length_sigma
 from course_lib.calibrating.solving import Solved
+from course_lib.calibrating.statement import Statement
 from course_lib.calibration import Coverage, board_tilts, coverage
 from course_lib.checks import Array
 
-#: From here on, pictures are enough.
-ENOUGH, FEW = 10, 6
 #: Share of the picture's cells, and how far out, that points should cover.
 COVERED, REACHED = 0.7, 0.85
 #: A board tilted by less tells little of the focal length, degrees.
@@ -26,27 +25,6 @@ GOOD_RMS, FAIR_RMS, SHARP = 0.35, 1.0, 0.7
 HELD_OUT = 1.5
 #: A view is worth another photograph if its error is so many times the usual one.
 WORSE = 1.8
-
-
-@dataclass(frozen=True)
-class Statement:
-    """One sentence or two.
-
-    Attributes
-    ----------
-    level : str
-        ``"good"``, ``"note"`` or ``"bad"``.
-    text : str
-        What is so, and what to do.
-    """
-
-    level: str
-    text: str
-
-    @property
-    def sign(self) -> str:
-        """One character that stands for the level."""
-        return {"good": "+", "note": "·", "bad": "!"}[self.level]
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,12 +80,13 @@ def judge(solved: Solved) -> Judgement:
     retake = tuple(solved.views[i].name for i in worse)
     statements = (
         *_on_error(solved),
-        *_on_views(solved, retake),
+        *on_views(solved, retake),
+        *on_distance(solved),
         *_on_coverage(covered),
         *_on_tilts(solved),
         *_on_numbers(solved),
         *_on_precision(solved),
-        *_on_files(solved),
+        *on_files(solved),
     )
     order = {"bad": 0, "note": 1, "good": 2}
     ranked = sorted(statements, key=lambda s: order[s.level])
@@ -117,7 +96,9 @@ def judge(solved: Solved) -> Judgement:
 def _on_error(solved: Solved) -> Iterator[Statement]:
     """Speak about the reprojection error, on the pictures themselves and on those held out."""
     rms, blur = solved.calibration.rms, _usual_blur(solved)
-    told = f"A typical point is {rms:.2f} px from where the camera expects it"
+    part = solved.calibration.image_size[0] / max(rms, 1e-9)
+    told = f"A typical point is {rms:.2f} px from where the camera expects it (the picture's width "
+    told += f"is {float(f'{part:.2g}'):,.0f} times that)"
     if rms <= GOOD_RMS * blur:
         yield Statement("good", f"{told}: very good.")
     elif rms <= FAIR_RMS * blur:
@@ -132,7 +113,9 @@ def _on_error(solved: Solved) -> Iterator[Statement]:
         other = float(np.sqrt(np.mean(solved.held_out**2)))
         told = f"In photographs that it was not calibrated with it is {other:.2f} px"
         if other <= HELD_OUT * rms:
-            yield Statement("good", f"{told}.")
+            fine = rms <= FAIR_RMS * blur
+            rest = "." if fine else ", hardly more: the cause is not too many --coefficients."
+            yield Statement("good" if fine else "note", told + rest)
         else:
             said = "fits these pictures only. Take more, or estimate fewer --coefficients."
             yield Statement("bad", f"{told}: the camera {said}")
@@ -144,37 +127,6 @@ def _usual_blur(solved: Solved) -> float:
     return max(float(np.median(blurs)), SHARP) if np.isfinite(blurs).all() else SHARP
 
 
-def _on_views(solved: Solved, retake: tuple[str, ...]) -> Iterator[Statement]:
-    """Speak about how many photographs there are, and which do not fit."""
-    count = len(solved.views)
-    if count < FEW:
-        yield Statement("bad", f"Only {count} photographs were used: take {ENOUGH} or more.")
-    elif count < ENOUGH:
-        yield Statement(
-            "note", f"{count} photographs were used; with {ENOUGH} or more it is safer."
-        )
-    else:
-        yield Statement("good", f"{count} photographs were used.")
-    for reason in solved.reasons:
-        yield Statement("note", reason)
-    if retake:
-        yield Statement(
-            "note",
-            f"The error is larger than usual in {', '.join(retake)}: take these again, sharp and "
-            "with the board flat.",
-        )
-
-
-#: Why photographs are set aside, as an adjective.
-KINDS = {
-    "file": "unreadable",
-    "size": "of another size",
-    "duplicate": "double",
-    "no board": "without board",
-    "wrong size": "with another board",
-    "glare": "with reflections",
-    "covered": "partly hidden",
-}
 PLACES = {
     (0, 0): "upper left corner",
     (0, 2): "upper right corner",
@@ -203,8 +155,11 @@ def missing_places(covered: Coverage) -> list[str]:
 
 def _on_coverage(covered: Coverage) -> Iterator[Statement]:
     """Speak about the parts of the picture in which the board never was."""
-    told = f"Points cover {100 * covered.share:.0f} % of the picture, up to "
-    told += f"{100 * covered.reach:.0f} % of the way from the middle to a corner"
+    cells = covered.counts
+    told = (
+        f"There are points in {(cells > 0).sum()} of the {cells.size} fields of the picture, and "
+    )
+    told += f"up to {100 * covered.reach:.0f} % of the way from the middle to a corner"
     missing = missing_places(covered)
     if covered.share >= COVERED and covered.reach >= REACHED and not missing:
         yield Statement("good", f"{told}.")
@@ -212,7 +167,7 @@ def _on_coverage(covered: Coverage) -> Iterator[Statement]:
     where = f" Hold the board into the {', the '.join(missing)}." if missing else ""
     yield Statement(
         "bad" if covered.share < COVERED / 2 else "note",
-        f"{told}. Beyond, distortion is a guess.{where}",
+        f"{told}. Where there are none, distortion is a guess.{where}",
     )
 
 
@@ -244,10 +199,11 @@ def _on_numbers(solved: Solved) -> Iterator[Statement]:
     values = dict(zip(names, camera.coefficients.tolist(), strict=False))
     vague = [n for n in names if n in camera.sigma and abs(values[n]) < 2 * camera.sigma[n]]
     if vague:
+        others = ",".join(n for n in names if n in camera.sigma and n not in vague) or "none"
         yield Statement(
             "note",
             f"{', '.join(vague)} cannot be told from 0 with these photographs. That does no harm "
-            "where there were points; without them (--coefficients) the camera is simpler.",
+            f"where there were points; for a simpler camera, type --coefficients {others}.",
         )
 
 
@@ -267,20 +223,4 @@ def _on_precision(solved: Solved) -> Iterator[Statement]:
         yield Statement(
             "note",
             "The middles of the dots were corrected for perspective; corners do not need it.",
-        )
-
-
-def _on_files(solved: Solved) -> Iterator[Statement]:
-    """Speak about photographs that were set aside before, and zoom."""
-    aside = [p for p in solved.photos if not p.used and p.problem != "does not fit"]
-    if aside:
-        kinds = Counter(p.problem for p in aside)
-        told = ", ".join(f"{count} {KINDS.get(kind, kind)}" for kind, count in kinds.most_common())
-        yield Statement("note", f"{len(aside)} photographs were set aside: {told}; see each.")
-    focal = sorted({round(p.header.focal, 1) for p in solved.views if p.header and p.header.focal})
-    if len(focal) > 1:
-        yield Statement(
-            "bad",
-            f"The photographs were taken at {focal[0]:g} to {focal[-1]:g} mm: zooming changes the "
-            "camera. Calibrate each focal length by itself.",
         )

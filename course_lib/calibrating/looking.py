@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from course_lib.boards import Board
+from course_lib.boards import Board, Charuco, Checkerboard, DotGrid
 from course_lib.calibrating.pictures import (
     Header,
     Picture,
@@ -26,6 +27,8 @@ Tell = Callable[[str], None]
 THUMBNAIL = 640  # px, long side
 #: Two views whose points differ by less are the same view, px and by the picture's width.
 SAME = 0.0005
+#: So many photographs that agree on another board are believed.
+AGREED = 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,6 +83,11 @@ def look_at_photos(paths: Sequence[Path], board: Board, tell: Tell) -> list[Phot
     -------
     list of Photo
         In the order of the files.
+
+    Raises
+    ------
+    ValueError
+        If the first photographs agree on a board of other counts.
     """
     opened = [_opened(path) for path in paths]
     headers = [photo.header for photo in opened if photo.header is not None]
@@ -90,7 +98,52 @@ def look_at_photos(paths: Sequence[Path], board: Board, tell: Tell) -> list[Phot
         photos.append(photo)
         mark = "+" if photo.used else "-"
         tell(f"[{number:{len(str(len(paths)))}}/{len(paths)}] {mark} {photo.name}: {photo.verdict}")
+        if len(paths) > number and not any(photo.used for photo in photos):
+            check_board(photos, board)
     return photos
+
+
+def check_board(photos: Sequence[Photo], board: Board) -> None:
+    """Raise if three or more photographs, and most, agree on a board that is not this one.
+
+    Raises
+    ------
+    ValueError
+        The message says what was seen, and what to type.
+    """
+    if other := other_board(photos):
+        raise ValueError(
+            f"the photographs show {other[0]} × {other[1]}, not {board.name}: "
+            f"{count_it(board, other)}"
+        )
+    kinds = [photo.problem for photo in photos if photo.detection]
+    if AGREED <= kinds.count("other kind") > len(kinds) / 2:
+        seen = Counter(p.detection.seen for p in photos if p.detection).most_common(1)[0][0]
+        raise ValueError(
+            f"the photographs show a checkerboard, not {board.name}: leave --kind out and say "
+            f"--board {seen[0]}x{seen[1]}"
+        )
+
+
+def other_board(photos: Sequence[Photo]) -> tuple[int, int] | None:
+    """Return the counts of another board, if most photographs, and three or more, show that one."""
+    seen = Counter(
+        p.detection.seen for p in photos if p.detection and p.problem in ("wrong size", "cut off")
+    )
+    seen.pop((0, 0), None)
+    if not seen:
+        return None
+    counts, times = seen.most_common(1)[0]
+    others = sum(1 for photo in photos if photo.detection) - times
+    return counts if times >= AGREED and times > others else None
+
+
+def count_it(board: Board, seen: tuple[int, int]) -> str:
+    """Return what to type if the board has other counts."""
+    what = "dots" if isinstance(board, DotGrid) else "squares"
+    if isinstance(board, Checkerboard | Charuco):
+        what = "inner corners, where four squares meet, not squares"
+    return f"is it --board {seen[0]}x{seen[1]}? Count {what}"
 
 
 def _opened(path: Path) -> Photo:
@@ -109,21 +162,22 @@ def _looked_at(
         return photo
     twin = next((b for b in before if b.header and b.header.digest == header.digest), None)
     if twin is not None:
-        return replace(photo, problem="duplicate", verdict=f"The same file as {twin.name}.")
-    if header.size != usual:
-        why = _sentence(why_other_size(header.size, usual))
-        return replace(photo, problem="size", verdict=why)
+        told = f"The same file as {twin.name}."
+        return replace(photo, problem="duplicate", verdict=told, thumbnail=twin.thumbnail)
     try:
         grey = grey_picture(read_grey(photo.path))
     except SetAside as reason:
         return replace(photo, problem="file", verdict=_sentence(reason))
-    found = detect_board(grey, board)
     small = shrunk(grey, max(1.0, max(grey.shape) / THUMBNAIL))[0]
-    thumbnail = np.clip(np.rint(small), 0, 255).astype(np.uint8)
-    photo = replace(photo, detection=found, thumbnail=thumbnail, problem=found.problem)
+    photo = replace(photo, thumbnail=np.clip(np.rint(small), 0, 255).astype(np.uint8))
+    if header.size != usual:
+        why = _sentence(why_other_size(header.size, usual))
+        return replace(photo, problem="size", verdict=why)
+    found = detect_board(grey, board)
+    photo = replace(photo, detection=found, problem=found.problem)
     same = next((b for b in before if _same_view(b, found, usual[0])), None)
     if same is not None:
-        told = f"The board is where it is in {same.name}: that tells nothing new."
+        told = f"The same as {same.name}: the board is where it is there, which tells nothing new."
         return replace(photo, problem="duplicate", verdict=told)
     return replace(photo, verdict=found.verdict, used=found.good)
 

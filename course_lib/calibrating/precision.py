@@ -65,6 +65,30 @@ def angle_sigma(calibration: Calibration, reach: float = 1.0) -> float:
     return float(np.sqrt(max(variances.mean(), 0.0)))
 
 
+def fields_of_view(calibration: Calibration) -> tuple[float, float]:
+    """Return the angles between the left and right, and the upper and lower edge of the picture.
+
+    Parameters
+    ----------
+    calibration : Calibration
+        The camera.
+
+    Returns
+    -------
+    tuple of float
+        Degrees, through the middle of the picture; NaN if the distortion cannot be undone there.
+    """
+    width, height = calibration.image_size
+    u, v = (width - 1) / 2, (height - 1) / 2
+    edges = np.array([[-0.5, v], [width - 0.5, v], [u, -0.5], [u, height - 0.5]])
+    ideal = undistort_points(normalised_from_pixels(edges, calibration.K), calibration.coefficients)
+    rays = np.column_stack([ideal, np.ones(4)])
+    rays /= np.linalg.norm(rays, axis=1, keepdims=True)
+    cosines = (rays[::2] * rays[1::2]).sum(axis=1)
+    across, down = np.degrees(np.arccos(np.clip(cosines, -1, 1)))
+    return float(across), float(down)
+
+
 def _directions(calibration: Calibration, name: str | None, change: float) -> Array:
     """Return unit vectors towards a grid of pixels after one number of the camera has changed."""
     K, k = calibration.K.copy(), np.pad(calibration.coefficients, (0, 12))[:12]

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
+import numpy as np
+
 from course_lib.calibrating.judgement import Judgement
+from course_lib.calibrating.options import lengths_of
+from course_lib.calibrating.output import REPORT, written_together
+from course_lib.calibrating.precision import fields_of_view
 from course_lib.calibrating.report_pictures import (
     coverage_svg,
     magnification,
@@ -25,14 +31,30 @@ MEANINGS = {
     "cy": "principal point, v, px",
     "k1": "radial distortion",
     "p1": "tangential distortion",
+    "k3": "radial distortion",
     "k4": "radial distortion, denominator",
     "s1": "thin prism",
 }
+WHAT_NOW = """<h2>What now</h2>
+<p>Straighten a photograph of this camera (same zoom and focus, same size), in Python:</p>
+<pre>import numpy as np
+from PIL import Image
+from course_lib.calibration_files import read_camera
+from course_lib.remapping import undistort_picture
+
+camera = read_camera("camera.json")
+photograph = np.asarray(Image.open("photograph.jpg"))
+straight = undistort_picture(photograph, camera.K, camera.coefficients)
+Image.fromarray(straight).save("straight.png")</pre>
+<p>In the new picture straight lines are straight, and it has the same K without distortion. Chapter
+05 of the course tells how this works, chapter 07 what a calibration is worth.</p>"""
 LEVELS = {"good": "Good", "note": "Note", "bad": "To do"}
 
 
-def write_report(folder: Path, solved: Solved, judgement: Judgement) -> list[Path]:
-    """Write the report and the camera.
+def write_report(
+    folder: Path, solved: Solved, judgement: Judgement, told: Sequence[str] = ()
+) -> list[Path]:
+    """Write the report and the camera: all of it, or nothing.
 
     Parameters
     ----------
@@ -42,6 +64,8 @@ def write_report(folder: Path, solved: Solved, judgement: Judgement) -> list[Pat
         The camera and its photographs.
     judgement : Judgement
         What is said of it.
+    told : sequence of str
+        Lines on how the report came about, such as the command.
 
     Returns
     -------
@@ -53,7 +77,6 @@ def write_report(folder: Path, solved: Solved, judgement: Judgement) -> list[Pat
     OSError
         If they cannot be written.
     """
-    folder.mkdir(parents=True, exist_ok=True)
     calibration = solved.calibration
     camera = StoredCamera(
         calibration.K,
@@ -63,26 +86,28 @@ def write_report(folder: Path, solved: Solved, judgement: Judgement) -> list[Pat
         dict(calibration.sigma),
     )
     files, notes = [], []
-    for form, ending in FORMS.items():
-        try:
-            files.append(write_camera(folder / f"camera{ending}", camera, form))
-        except ValueError as error:
-            notes.append(f"There is no camera{ending}: {error}.")
-    report = folder / "report.html"
-    report.write_text(report_html(solved, judgement, files, notes), encoding="utf-8")
-    return [report, *files]
+    with written_together(folder) as draft:
+        for form, ending in FORMS.items():
+            try:
+                files.append(write_camera(draft / f"camera{ending}", camera, form))
+            except ValueError as error:
+                notes.append(f"There is no camera{ending}: {error}.")
+        page = report_html(solved, judgement, files, notes, told)
+        (draft / REPORT).write_text(page, encoding="utf-8")
+    return [folder / REPORT, *(folder / file.name for file in files)]
 
 
-def report_html(solved: Solved, judgement: Judgement, files: list[Path], notes: list[str]) -> str:
+def report_html(
+    solved: Solved, judgement: Judgement, files: list[Path], notes: list[str], told: Sequence[str]
+) -> str:
     """Return the page."""
-    width, height = solved.calibration.image_size
     parts = [
-        f"<h1>Calibration of a camera of {width} × {height} px</h1>",
-        f"<p>{len(solved.views)} of {len(solved.photos)} photographs, {solved.board.name}.</p>",
+        _about(solved, told),
         "<h2>Judgement</h2>",
         _statements(judgement),
         "<h2>The camera</h2>",
         _numbers(solved.calibration),
+        _fields(solved.calibration),
         "<h2>Where the points are</h2>",
         "<div class='pair'>",
         coverage_svg(judgement.coverage, solved.calibration.image_size),
@@ -92,12 +117,23 @@ def report_html(solved: Solved, judgement: Judgement, files: list[Path], notes: 
         _photographs(solved, judgement),
         "<h2>Files</h2>",
         _files(files, notes),
+        WHAT_NOW,
     ]
     style = STYLE.read_text("utf-8")
     head = f"<meta charset='utf-8'><title>Calibration report</title><style>{style}</style>"
     body = "\n".join(parts)
     page = f"<html lang='en'>\n<head>{head}</head>\n<body>\n{body}\n</body>\n</html>\n"
     return f"<!doctype html>\n{page}"
+
+
+def _about(solved: Solved, told: Sequence[str]) -> str:
+    """Return the title, and what was calibrated from what."""
+    width, height = solved.calibration.image_size
+    return (
+        f"<h1>Calibration of a camera of {width} × {height} px</h1>"
+        f"<p>{len(solved.views)} of {len(solved.photos)} photographs, {solved.board.name}, "
+        f"{lengths_of(solved.board)}.</p>"
+    ) + "".join(f"<p class='run'>{escape(line)}</p>" for line in told)
 
 
 def _statements(judgement: Judgement) -> str:
@@ -134,6 +170,15 @@ def _numbers(calibration: Calibration) -> str:
         "is the middle of the upper left pixel. Distortion is in OpenCV's order.</p>"
     )
     return f"<table>{head}{''.join(rows)}</table>{note}"
+
+
+def _fields(calibration: Calibration) -> str:
+    """Return how wide the camera sees, where its distortion can be undone so far out."""
+    across, down = fields_of_view(calibration)
+    told = [f"{angle:.1f}° {way}" for angle, way in ((across, "across"), (down, "down"))]
+    if not np.isfinite([across, down]).all():
+        return ""
+    return f"<p>Field of view, from edge to edge through the middle: {', '.join(told)}.</p>"
 
 
 def _photographs(solved: Solved, judgement: Judgement) -> str:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from course_lib.boards import Board, DotGrid
 from course_lib.calibrating.looking import Photo
+from course_lib.calibrating.turned import Views, turned_views
 from course_lib.calibration import (
     Calibration,
     CameraModel,
@@ -82,10 +83,10 @@ def solve(photos: Sequence[Photo], board: Board, model: CameraModel) -> Solved:
     DegenerateConfigurationError, ValueError
         As `course_lib.calibration.calibrate_robustly`.
     """
-    used = [p for p in photos if p.used and p.detection is not None and p.header is not None]
+    photos = _without_turned(photos, board, model)
+    used = _used(photos)
     found = [p.detection for p in used if p.detection is not None]
-    size = next(p.header.size for p in used if p.header is not None)
-    objects, pixels = [board.points()[f.ids] for f in found], [f.points for f in found]
+    objects, pixels, size = _views(used, board)
     robust = calibrate_robustly(objects, pixels, size, model)
     if isinstance(board, DotGrid):
         pixels = _without_bias(robust, board, found)
@@ -105,6 +106,28 @@ def solve(photos: Sequence[Photo], board: Board, model: CameraModel) -> Solved:
         tuple(told.values()),
         _held_out(clean, size, model),
     )
+
+
+def _used(photos: Sequence[Photo]) -> list[Photo]:
+    return [p for p in photos if p.used and p.detection is not None and p.header is not None]
+
+
+def _views(used: Sequence[Photo], board: Board) -> Views:
+    """Return the points of the boards in photographs that are used."""
+    found = [p.detection for p in used if p.detection is not None]
+    size = next(p.header.size for p in used if p.header is not None)
+    points = board.points()
+    return Views([points[f.ids] for f in found], [f.points for f in found], size)
+
+
+def _without_turned(photos: Sequence[Photo], board: Board, model: CameraModel) -> list[Photo]:
+    """Return the photographs; those that a program has turned are no longer used."""
+    used = _used(photos)
+    told = {used[i].path: said for i, said in turned_views(_views(used, board), model).items()}
+    return [
+        replace(p, used=False, problem="turned", verdict=told[p.path]) if p.path in told else p
+        for p in photos
+    ]
 
 
 def _rejected(photo: Photo, reason: str) -> Photo:

@@ -11,7 +11,13 @@ from course_lib.boards import Checkerboard
 from course_lib.checks import Array
 from course_lib.detection.corner_fit import MOST, SHARE, CornerFit, fit_corners, refine_corners
 from course_lib.detection.lattices import cell_middles, next_row, turned
-from course_lib.detection.reasons import is_board, judged, why_not_found
+from course_lib.detection.reasons import (
+    cannot_be,
+    is_board,
+    judged,
+    part_of_board,
+    why_not_found,
+)
 from course_lib.detection.result import (
     Detection,
     Grey,
@@ -41,17 +47,26 @@ def detect_checkerboard(image: ArrayLike, board: Checkerboard) -> Detection:
     if not is_board(fit):
         return why_not_found(grey, board)
     larger = _beyond(grey, rough)
-    if larger:
-        columns, rows = board.columns + larger[0], board.rows + larger[1]
-        return nothing(
-            "wrong size",
-            f"Saw at least {columns} × {rows} corners, but the board should have {board.name}. "
-            "Count the inner corners, where four squares meet.",
-            (columns, rows),
-        )
+    if larger or not _alternating(grey, rough):
+        return _part_of_another(grey, board, larger or (0, 0))
     ids = np.flatnonzero(fit.good)
     problem, verdict = judged(grey, fit, rough, board)
     return Detection(True, fit.points[ids], ids, problem, verdict, float(np.median(fit.blur[ids])))
+
+
+def _part_of_another(grey: Picture, board: Checkerboard, more: tuple[int, int]) -> Detection:
+    """Return a detection without points for a board that goes on beyond what was found of it."""
+    seen = part_of_board(grey)
+    counts = board.columns + more[0], board.rows + more[1]
+    if seen is not None and seen.grid.shape[0] * seen.grid.shape[1] > counts[0] * counts[1]:
+        few, many = sorted(seen.grid.shape[:2])
+        counts = (many, few) if board.columns >= board.rows else (few, many)
+    return nothing(
+        "wrong size",
+        f"Saw {counts[0]} × {counts[1]} corners or more, but the board should have {board.name}. "
+        "Count the inner corners, where four squares meet.",
+        counts,
+    )
 
 
 def fit_in_suitable_size(grey: Picture, rough: Array, share: float = SHARE) -> CornerFit:
@@ -76,6 +91,7 @@ def fit_in_suitable_size(grey: Picture, rough: Array, share: float = SHARE) -> C
 
 def find_corners(grey: Picture, board: Checkerboard) -> Array | None:
     """Return roughly where the corners are, in some order, shape (rows, columns, 2), or None."""
+    tried = False
     for picture, ratio in smaller_pictures(grey):
         corners = _opencv(picture, board)
         if corners is not None:
@@ -83,6 +99,10 @@ def find_corners(grey: Picture, board: Checkerboard) -> Array | None:
                 # To a few px of a large picture, where windows cover little of a square.
                 corners = in_full_size(refine_corners(picture, corners), ratio)
             return corners.reshape(board.rows, board.columns, 2)
+        seen = None if tried else part_of_board(picture, once=True)
+        if seen is not None and cannot_be(seen, board):
+            return None  # the other sizes are not worth their time
+        tried = True
     return None
 
 
@@ -117,6 +137,14 @@ def _dark_first(grey: Picture, grid: Array) -> bool:
     """Return whether the first inner square, and so the outermost, is of the dark ones."""
     even, odd = _squares(grey, grid)
     return bool(even.mean() < odd.mean())
+
+
+def _alternating(grey: Picture, grid: Array) -> bool:
+    """Return whether squares are dark and light in turns: no row or column was jumped over."""
+    even, odd = _squares(grey, grid)
+    level, sign = (np.median(even) + np.median(odd)) / 2, np.sign(even.mean() - odd.mean())
+    right = np.concatenate([sign * (even - level) > 0, sign * (level - odd) > 0])
+    return bool(right.mean() >= MANY)
 
 
 def _squares(grey: Picture, grid: Array) -> tuple[Array, Array]:

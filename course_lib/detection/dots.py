@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from course_lib.boards import DotGrid, SquareGrid
 from course_lib.checks import Array
 from course_lib.detection.lattices import grid_of_loose_points, turned
-from course_lib.detection.reasons import too_blurred
+from course_lib.detection.reasons import part_of_board, too_blurred
 from course_lib.detection.result import (
     Detection,
     Grey,
@@ -180,6 +180,8 @@ def _radii(places: Array, middle: Array, spread: Array) -> Array:
 
 def why_no_grid(grey: Picture, part: Blobs, board: DotGrid | SquareGrid) -> Detection:
     """Return a detection without points that says what was seen instead."""
+    if (other := _checkerboard_instead(grey, board)) is not None:
+        return other
     places = grid_of_loose_points(part.middles, _areas(part))
     if len(places) < 9:
         return nothing(
@@ -201,3 +203,13 @@ def why_no_grid(grey: Picture, part: Blobs, board: DotGrid | SquareGrid) -> Dete
         )
     said += ". Count them; if the count is right, some are hidden."
     return nothing("wrong size", said, (columns, rows))
+
+
+def _checkerboard_instead(grey: Picture, board: DotGrid | SquareGrid) -> Detection | None:
+    """Return that there is a checkerboard in the picture, or None if there is none."""
+    seen = part_of_board(grey, once=True)
+    if seen is None:
+        return None
+    rows, columns = sorted(seen.grid.shape[:2])
+    said = f"This looks like a checkerboard of {columns} × {rows} corners, not {board.name}."
+    return nothing("other kind", said, (columns, rows))

@@ -97,8 +97,7 @@ def why_not_found(grey: Picture, board: Checkerboard) -> Detection:
 
 def _cause(seen: Seen, board: Checkerboard) -> tuple[Problem, str]:
     """Return why only a part of a board is seen, and the end of a sentence."""
-    few, many = sorted(seen.grid.shape[:2])
-    if many > max(board.columns, board.rows) or few > min(board.columns, board.rows):
+    if cannot_be(seen, board):
         return "wrong size", ". Count the inner corners, where four squares meet."
     sides = [_around(seen, turn) for turn in range(4)]
     if "white" in sides and not _paper_is_white(seen):
@@ -114,14 +113,23 @@ def _cause(seen: Seen, board: Checkerboard) -> tuple[Problem, str]:
     )
 
 
+def cannot_be(seen: Seen, board: Checkerboard) -> bool:
+    """Return whether more is seen than this board has, one way or the other."""
+    few, many = sorted(seen.grid.shape[:2])
+    return bool(many > max(board.columns, board.rows) or few > min(board.columns, board.rows))
+
+
 def _paper_is_white(seen: Seen) -> bool:
     """Return whether the light squares are too bright themselves to tell a reflection."""
     column, row = np.rint(cell_middles(seen.grid)).astype(int).reshape(-1, 2).T
     return bool(np.percentile(seen.picture[row, column], 75) >= CLIPPED)
 
 
-def part_of_board(grey: Picture) -> Seen | None:
-    """Return the largest part of any checkerboard that can be seen, or None."""
+def part_of_board(grey: Picture, once: bool = False) -> Seen | None:
+    """Return the largest part of any checkerboard that can be seen, or None.
+
+    With `once`, only the likeliest of all sizes of the picture is looked at.
+    """
     import cv2
 
     best = None
@@ -132,6 +140,8 @@ def part_of_board(grey: Picture) -> Seen | None:
             points = np.asarray(corners, float).reshape(-1, 2)
             if is_board(fit_corners(picture, points)):
                 best = Seen(picture, points.reshape(*meta.shape[:2], 2))
+        if once:
+            break
     return best
 
 

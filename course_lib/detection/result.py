@@ -14,7 +14,9 @@ from course_lib.checks import Array
 Grey = NDArray[np.uint8]
 #: In grey levels up to 255, of whatever numbers.
 Picture = NDArray[Any]
-Problem = Literal["", "no board", "wrong size", "cut off", "covered", "glare", "blurred"]
+Problem = Literal[
+    "", "no board", "wrong size", "other kind", "cut off", "covered", "glare", "blurred"
+]
 
 #: Long sides, px, of the pictures in which a board is looked for, the likeliest first.
 LOOKED_AT = (1000, 2000, 500, 250)
@@ -33,8 +35,9 @@ class Detection:
     ids : ndarray, shape (N,), int
         Which of the board's points each is: the row of ``board.points()``.
     problem : str
-        ``""``, or what is wrong: ``"no board"``, ``"wrong size"``, ``"cut off"``, ``"covered"``,
-        ``"glare"`` or ``"blurred"``.
+        ``""``, or what is wrong: ``"no board"``, ``"wrong size"``, ``"other kind"`` (a checkerboard
+        where dots or squares were looked for), ``"cut off"``, ``"covered"``, ``"glare"`` or
+        ``"blurred"``.
     verdict : str
         The same in a sentence, with what to do.
     blur : float

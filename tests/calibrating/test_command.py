@@ -93,7 +93,7 @@ class TestCalibrate:
     @pytest.mark.parametrize(
         ("options", "said"),
         [
-            (["--board", "7x5", "--square", "0"], "square must be positive"),
+            (["--board", "7x5", "--square", "0"], "--square must be from 0.5 mm"),
             (["--board", "1x5", "--square", "30"], "columns must be a whole number"),
             (["--board", "7x5", "--square", "30", "--coefficients", "k9"], "coefficients must be"),
             (["--board", "7x5", "--square", "30", "--kind", "squares"], "need --pitch"),

@@ -26,7 +26,7 @@ class TestSetAside:
             ("x_small.png", "size", "240 × 180 px, most pictures 480 × 360: it was made smaller"),
             ("x_turned.png", "size", "a program has turned it"),
             ("x_again.png", "duplicate", "The same file as view3.png"),
-            ("x_tripod.png", "duplicate", "where it is in view1.png"),
+            ("x_tripod.png", "duplicate", "The same as view1.png: the board is where"),
             ("x_nothing.jpg", "file", "empty (0 bytes)"),
             ("x_letter.jpg", "file", "no picture that can be read"),
             ("x_half.jpg", "file", "damaged or cut off"),

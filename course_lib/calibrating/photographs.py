@@ -1,0 +1,91 @@
+"""What is to be said of the photographs: how many, how far from the board, and which not."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+
+from course_lib.calibrating.options import lengths_of
+from course_lib.calibrating.solving import Solved
+from course_lib.calibrating.statement import Statement
+
+#: From here on, pictures are enough.
+ENOUGH, FEW = 10, 6
+#: Why photographs are set aside, as an adjective.
+KINDS = {
+    "file": "unreadable",
+    "size": "of another size",
+    "duplicate": "double",
+    "no board": "without board",
+    "wrong size": "with another board",
+    "glare": "with reflections",
+    "covered": "partly hidden",
+    "other kind": "with a checkerboard",
+    "cut off": "with the board cut off",
+    "turned": "turned or mirrored",
+}
+
+
+def on_views(solved: Solved, retake: tuple[str, ...]) -> Iterator[Statement]:
+    """Speak about how many photographs there are, and which do not fit."""
+    count = len(solved.views)
+    if count < FEW:
+        yield Statement("bad", f"Only {count} photographs were used: take {ENOUGH} or more.")
+    elif count < ENOUGH:
+        yield Statement(
+            "note", f"{count} photographs were used; with {ENOUGH} or more it is safer."
+        )
+    else:
+        yield Statement("good", f"{count} photographs were used.")
+    for reason in solved.reasons:
+        yield Statement("note", reason)
+    if retake:
+        yield Statement(
+            "note",
+            f"The error is larger than usual in {', '.join(retake)}: take these again, sharp and "
+            "with the board flat.",
+        )
+
+
+def on_distance(solved: Solved) -> Iterator[Statement]:
+    """Ask whether the distances are right: the only sign of a wrong length."""
+    middle = solved.board.points().mean(axis=0)
+    away = [float(np.linalg.norm(R @ middle + t)) for R, t in solved.calibration.poses]
+    near, far = in_words(min(away)), in_words(max(away))
+    between = f"{near} to {far}" if near != far else near
+    yield Statement(
+        "note",
+        f"With {lengths_of(solved.board)}, the board was {between} away from the camera: is that "
+        "so? If not, the length given is wrong, and every distance measured will be.",
+    )
+
+
+def in_words(millimetres: float) -> str:
+    """Return a length with a unit that suits it, to two digits."""
+    for unit, size in (("m", 1000.0), ("cm", 10.0)):
+        if millimetres >= size * (0.995 if unit == "m" else 9.95):
+            return f"{float(f'{millimetres / size:.2g}'):g} {unit}"
+    return f"{float(f'{millimetres:.2g}'):g} mm"
+
+
+def on_files(solved: Solved) -> Iterator[Statement]:
+    """Speak about photographs that were set aside before, and zoom."""
+    turned = [photo for photo in solved.photos if photo.problem == "turned"]
+    for verdict in sorted({photo.verdict for photo in turned}):
+        names = ", ".join(photo.name for photo in turned if photo.verdict == verdict)
+        yield Statement("note", f"{names}: {verdict[0].lower() + verdict[1:]} Set aside.")
+    said = ("does not fit", "turned")
+    aside = [p for p in solved.photos if not p.used and p.problem not in said]
+    if aside:
+        kinds = Counter(p.problem for p in aside)
+        told = ", ".join(f"{count} {KINDS.get(kind, kind)}" for kind, count in kinds.most_common())
+        yield Statement("note", f"{len(aside)} photographs were set aside: {told}; see each.")
+    focal = sorted({round(p.header.focal, 1) for p in solved.views if p.header and p.header.focal})
+    if len(focal) > 1:
+        yield Statement(
+            "bad",
+            f"The photographs were taken at {focal[0]:g} to {focal[-1]:g} mm: zooming changes the "
+            "camera. Calibrate each focal length by itself.",
+        )
