@@ -79,8 +79,7 @@ def _from_above(ax: Axes, number: int, R: ArrayLike, t: ArrayLike) -> None:
 
     ax.fill(x, z, fc=(*to_rgb(ROLES["object"]), 0.12), ec=ROLES["object"], lw=2)
     end = int(np.argmin(z))
-    aside, ha = (1, "left") if x[end] > x.mean() else (-1, "right")
-    write(ax, (x[end] + aside, z[end]), str(number), "object", fontsize=11, ha=ha)
+    write(ax, (x[end], z[end] - 1.8), str(number), "object", fontsize=11)
 
 
 @figure("The rows of a board meet in one point, its columns in another: columns of H.")

@@ -40,7 +40,7 @@ ROOM_SIZE, SEEN_SIZE, BARS_SIZE = (330, 270), (320, 240), (300, 270)
 SCALE = SEEN_SIZE[0] / SIZE[0]
 #: The bars, from 0.01 to 100: by name the unit, and how many times its value a bar is long.
 BARS = {"fx": ("px", 1.0), "cx": ("px", 1.0), "cy": ("px", 1.0), "k1": ("", 1000.0)}
-AXES = Plot((44, 226, 24, 236), (0.01, 100), (0, 4), log_x=True)
+AXES = Plot((62, 226, 24, 236), (0.01, 100), (0, 4), log_x=True)
 #: A direction that changes no pixel by more than this part of the others is not determined.
 UNKNOWN = 1e-9
 
