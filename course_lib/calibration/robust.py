@@ -30,8 +30,8 @@ VIEW_LIMIT = 3.0
 #: A view that loses more of its points is bad as a whole.
 POINT_SHARE = 0.3
 ROUNDS = 8
-#: No corner is found better, px.
-ROUNDING = 1e-9
+#: No corner is found better, px: what is off by a small part of a pixel is not wrong.
+FINEST = 0.02
 #: Half of all residuals are shorter than so many standard deviations of a coordinate: √(2 ln 2).
 MEDIAN_LENGTH = 1.1774
 
@@ -177,7 +177,7 @@ def _good_points(state: State, views: Views, points: Kept) -> tuple[Kept, Array]
 def _scales(lengths: Array, counts: Counts) -> Array:
     """Return the standard deviation of each view's pixels, from the median of the lengths."""
     rows = zip(lengths, counts, strict=True)
-    return np.array([np.median(row[:n]) for row, n in rows]) / MEDIAN_LENGTH + ROUNDING
+    return np.maximum([np.median(row[:n]) / MEDIAN_LENGTH for row, n in rows], FINEST)
 
 
 def _good_views(
@@ -188,9 +188,11 @@ def _good_views(
     lost = counts - good.sum(axis=1)
     bad = (times > VIEW_LIMIT) | (lost > POINT_SHARE * counts) | (counts - lost < LEAST_POINTS)
     for i in np.flatnonzero(bad):
+        told = [f"{lost[i]} of {counts[i]} points are far off"] if lost[i] else []
+        if times[i] > VIEW_LIMIT:
+            told.append(f"its typical error is {times[i]:.1f} times the usual one")
         reasons[int(numbers[i])] = (
-            f"view {numbers[i]} was left out: {lost[i]} of {counts[i]} points are far off, and its "
-            f"typical error is {times[i]:.1f} times the usual one; was it blurred, or the board "
+            f"view {numbers[i]} was left out: {' and '.join(told) or 'it has too few points'}; was it blurred, or the board "
             "moved or cut off?"
         )
     return np.asarray(~bad)
