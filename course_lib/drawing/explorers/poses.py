@@ -40,7 +40,7 @@ ROOM_SIZE, SEEN_SIZE, BARS_SIZE = (330, 270), (320, 240), (300, 270)
 SCALE = SEEN_SIZE[0] / SIZE[0]
 #: The bars, from 0.01 to 100: by name the unit, and how many times its value a bar is long.
 BARS = {"fx": ("px", 1.0), "cx": ("px", 1.0), "cy": ("px", 1.0), "k1": ("", 1000.0)}
-AXES = Plot((62, 226, 24, 236), (0.01, 100), (0, 4), log_x=True)
+AXES = Plot((44, 226, 24, 236), (0.01, 100), (0, 4), log_x=True)
 #: A direction that changes no pixel by more than this part of the others is not determined.
 UNKNOWN = 1e-9
 
@@ -200,11 +200,10 @@ def _bars(sigma: dict[str, float], noise: float) -> Picture:
         role = "camera" if known else "guide"
         lines.append(Line(box, role, 1.0, closed=True, dashed=not known, fill=0.5 if known else 0))
         text = f"{sigma[name]:.2g} {unit}".rstrip() if known else "open"
-        many = name if factor == 1 else f"{factor:.0f} {name}"
-        labels += [Label(many, (left - 6, v), anchor="end"), Label(text, (end + 5, v))]
+        labels += [Label(name, (left - 6, v), anchor="end"), Label(text, (end + 5, v))]
         said.append(f"{name} {text}")
     return Picture(
-        "Standard deviations",
+        "Standard deviations (bar of k1: × 1000)",
         f"Standard deviations if corners are found to {noise:g} px: {', '.join(said)}.",
         BARS_SIZE,
         lines=tuple(lines),
