@@ -191,9 +191,9 @@ def _good_views(
         told = [f"{lost[i]} of {counts[i]} points are far off"] if lost[i] else []
         if times[i] > VIEW_LIMIT:
             told.append(f"its typical error is {times[i]:.1f} times the usual one")
+        why = " and ".join(told) or "it has too few points"
         reasons[int(numbers[i])] = (
-            f"view {numbers[i]} was left out: {' and '.join(told) or 'it has too few points'}; was it blurred, or the board "
-            "moved or cut off?"
+            f"view {numbers[i]} was left out: {why}; was it blurred, or the board moved or cut off?"
         )
     return np.asarray(~bad)
 
