@@ -24,6 +24,8 @@ PAGES = {
 }
 MARGIN, FOOT = 8.0, 16.0  # mm: what printers leave white, and the line below the board
 MM_PER_INCH = 25.4
+#: Width of an upright bar, and the white that a detector wants around a board, mm.
+BAR, RIM = 6.0, 8.0
 
 
 def save_board(path: str | FilePath, board: Board, page: str = "A4") -> FilePath:
@@ -54,7 +56,8 @@ def save_board(path: str | FilePath, board: Board, page: str = "A4") -> FilePath
     from matplotlib.figure import Figure
     from matplotlib.patches import PathPatch
 
-    width, height = _page_size(page)
+    page = _page_name(page)
+    width, height = PAGES[page]
     board_size = printed_size(board)
     _check_fits(board, board_size, page)
     figure = Figure(figsize=(width / MM_PER_INCH, height / MM_PER_INCH))
@@ -86,10 +89,12 @@ def first_point(board: Board) -> Array:
     return np.full(2, board.diameter / 2 if isinstance(board, DotGrid) else 0.0)
 
 
-def _page_size(page: str) -> tuple[float, float]:
-    if page not in PAGES:
+def _page_name(page: str) -> str:
+    """Return the page's name as it is written here: a4 is A4."""
+    found = [name for name in PAGES if name.lower() == page.lower()]
+    if not found:
         raise ValueError(f"page must be one of {', '.join(PAGES)}, got {page!r}")
-    return PAGES[page]
+    return found[0]
 
 
 def _check_fits(board: Board, size: Array, page: str) -> None:
@@ -102,9 +107,21 @@ def _check_fits(board: Board, size: Array, page: str) -> None:
     ]
     raise ValueError(
         f"{board.name} take {size[0]:g} × {size[1]:g} mm, but {page} has room for "
-        f"{room[0]:g} × {room[1]:g} mm: make them smaller by {(size / room).max():.2f} or more"
-        + (f", or print on {larger[0]}" if larger else "")
+        f"{room[0]:g} × {room[1]:g} mm: say {_smaller(board, float((room / size).min()))}"
+        + (f", or --page {larger[0]}" if larger else "")
     )
+
+
+def _smaller(board: Board, factor: float) -> str:
+    """Return what to type for a board that is smaller by a factor, rounded down to half mm."""
+    told = []
+    for name in ("square", "pitch", "diameter", "marker"):
+        if hasattr(board, name):
+            length = np.floor(2 * factor * getattr(board, name)) / 2
+            # A dot grid's pitch is asked for as its square.
+            option = "square" if name == "pitch" and isinstance(board, DotGrid) else name
+            told.append(f"--{option} {length:g}")
+    return " ".join(told)
 
 
 def _outlines(board: Board, corner: Array) -> Path:
@@ -152,7 +169,7 @@ def _rectangle(left: float, top: float, width: float, height: float) -> Path:
 
 
 def _draw_foot(axes: Any, board: Board, page: tuple[float, float]) -> None:
-    """Draw the bar of 100 mm and what the board is."""
+    """Draw the bars of 100 mm and what the board is."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
 
@@ -160,8 +177,25 @@ def _draw_foot(axes: Any, board: Board, page: tuple[float, float]) -> None:
     parts = [_rectangle(left + k, y, 10, 2) for k in range(0, 100, 20)]
     parts += [_rectangle(left, y - 2, 100, 0.3), _rectangle(left, y + 2, 100, 0.3)]
     parts += [_rectangle(left + k, y - 2, 0.3, 6) for k in (-0.15, 99.85)]
+    upright = _has_room_beside(board, page)
+    if upright:
+        parts += _upright_bar(left, y - 6)
     axes.add_patch(PathPatch(Path.make_compound_path(*parts), facecolor="black", linewidth=0))
     sizes = {"square": "squares", "pitch": "pitch", "diameter": "dots", "marker": "markers"}
     told = [f"{word} {getattr(board, n):g} mm" for n, word in sizes.items() if hasattr(board, n)]
-    said = f"{board.name}, {', '.join(told)}. Print at 100 %; this bar must measure 100 mm."
+    bars = "both bars must" if upright else "this bar must"
+    said = f"{board.name}, {', '.join(told)}. Print at 100 %; {bars} measure 100 mm."
     axes.text(left + 104, y + 1, said, fontsize=8, va="center")
+
+
+def _has_room_beside(board: Board, page: tuple[float, float]) -> bool:
+    """Return whether an upright bar fits between the margin and a white rim around the board."""
+    beside = (page[0] - printed_size(board)[0]) / 2
+    return bool(beside >= MARGIN + BAR + RIM)
+
+
+def _upright_bar(left: float, bottom: float) -> list[Path]:
+    """Return a bar of 100 mm that stands: printers scale both directions by themselves."""
+    parts = [_rectangle(left, bottom - k - 10, 2, 10) for k in range(0, 100, 20)]
+    parts += [_rectangle(left + k, bottom - 100, 0.3, 100) for k in (-0.3, 2)]
+    return [*parts, *(_rectangle(left - 2, bottom - k, 6, 0.3) for k in (0.15, 100.15))]

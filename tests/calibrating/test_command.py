@@ -151,4 +151,4 @@ class TestBoard:
     def test_too_large(self, tmp_path, capsys):
         code = main(["board", str(tmp_path / "b.pdf"), "--board", "9x6", "--square", "40"])
         assert code == 2
-        assert "or print on A2" in capsys.readouterr().err
+        assert "or --page A2" in capsys.readouterr().err

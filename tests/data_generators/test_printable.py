@@ -62,8 +62,9 @@ def test_printed_to_scale(board, tmp_path):
     wanted = expected[:, :2] - expected[np.lexsort(expected[:, :2].T)[0], :2]
     wanted, corners = (np.array(sorted(np.round(c, 2).tolist())) for c in (wanted, corners))
     np.testing.assert_allclose(corners, wanted, atol=0.02)
-    # The bar below.
+    # The bar below, and the one that stands where there is room.
     assert (abs(printed[:, 2] - 100) < 0.01).sum() == 2
+    assert (abs(printed[:, 3] - 100) < 0.01).sum() == 2
 
 
 def test_dots_are_round_and_to_scale(tmp_path):
@@ -102,7 +103,7 @@ def test_same_board_same_file(tmp_path):
 
 
 def test_too_large(tmp_path):
-    with pytest.raises(ValueError, match=r"take 400 × 280 mm, .* or print on A3|A2"):
+    with pytest.raises(ValueError, match=r"take 400 × 280 mm, .* say --square 25.*, or --page A2"):
         save_board(tmp_path / "board.pdf", Checkerboard(9, 6, 40))
     assert not list(tmp_path.iterdir())
 
@@ -110,3 +111,23 @@ def test_too_large(tmp_path):
 def test_unknown_page(tmp_path):
     with pytest.raises(ValueError, match="page must be one of A4"):
         save_board(tmp_path / "board.pdf", BOARDS[0], "B5")
+
+
+@pytest.mark.parametrize("board", [Checkerboard(9, 6, 40), DotGrid(12, 9, 30, 20)])
+def test_the_size_that_is_proposed_fits(board, tmp_path):
+    with pytest.raises(ValueError, match="say --square") as raised:
+        save_board(tmp_path / "board.pdf", board)
+    said = dict(re.findall(r"--(square|diameter) ([\d.]+)", str(raised.value)))
+    lengths = [float(said[name]) for name in ("square", "diameter") if name in said]
+    assert save_board(tmp_path / "b.pdf", type(board)(board.columns, board.rows, *lengths)).exists()
+
+
+def test_page_in_small_letters(tmp_path):
+    size, _ = page_of(save_board(tmp_path / "board.pdf", BOARDS[0], "a3"))
+    np.testing.assert_allclose(size, (420, 297), atol=1e-3)
+
+
+def test_no_room_for_a_second_bar(tmp_path):
+    _, commands = page_of(save_board(tmp_path / "board.pdf", Checkerboard(13, 6, 20)))
+    printed = rectangles_of(commands)
+    assert (abs(printed[:, 3] - 100) < 0.01).sum() == 0
