@@ -1,5 +1,8 @@
 import html.parser
 import io
+import re
+import shlex
+import shutil
 import sys
 
 import numpy as np
@@ -7,6 +10,7 @@ import pytest
 from real_data import fetched
 
 from course_lib import data
+from course_lib.calibrating.command import EXAMPLE
 from course_lib.calibration_files import read_camera
 from course_lib.cli import main
 
@@ -57,6 +61,24 @@ class TestCalibrate:
             )
         np.testing.assert_allclose(cameras[0].K, truth.K, rtol=0.02)
 
+    def test_report_tells_how_it_came_about(self, output, folder):
+        page = Tags()
+        page.feed((output[1] / "report.html").read_text("utf-8"))
+        assert f"course calibrate {folder} --board 7x5 --square 30" in page.text
+        assert "squares of 30 mm" in page.text
+        # True camera: an edge is at 240 / 420 = r (1 - 0.28 r² + 0.1 r⁴), so r = 0.632.
+        width = re.search(r"([\d.]+)° across", page.text)
+        assert float(width[1]) == pytest.approx(2 * np.degrees(np.arctan(0.632)), abs=0.5)
+        assert "undistort_picture(photograph" in page.text
+
+    def test_a_second_run_leaves_no_old_file(self, output, folder, tmp_path):
+        target = tmp_path / "out"
+        shutil.copytree(output[1], target)
+        typed = ["calibrate", str(folder), "--board", "7x5", "--square", "30"]
+        main([*typed, "--output", str(target)])
+        names = {p.name for p in target.iterdir()}
+        assert names == {"report.html", "camera.yml", "camera.m", "camera.json"}
+
     def test_report_is_whole_and_names_everything(self, output, folder):
         _, target = output
         page = Tags()
@@ -81,6 +103,30 @@ class TestCalibrate:
         assert "is it --board 7x5?" in said.err
         assert not list(tmp_path.iterdir())
 
+    @pytest.mark.parametrize(
+        ("options", "said"),
+        [
+            (["--board", "5x4"], "is it --board 7x5?"),
+            (["--board", "7x5", "--kind", "dots"], "leave --kind out and say --board 7x5"),
+        ],
+    )
+    def test_another_board_is_asked_for_early(self, folder, tmp_path, capsys, options, said):
+        target = tmp_path / "out"
+        typed = ["calibrate", str(folder), *options, "--square", "30", "--output", str(target)]
+        assert main(typed) == 2
+        told = capsys.readouterr()
+        assert said in told.err
+        assert "[ 4/" not in told.out
+        assert not target.exists()
+
+    def test_stopped(self, folder, monkeypatch, capsys):
+        def stop(*_):
+            raise KeyboardInterrupt
+
+        monkeypatch.setattr("course_lib.calibrating.looking.detect_board", stop)
+        assert main(["calibrate", str(folder), "--board", "7x5", "--square", "30"]) == 130
+        assert capsys.readouterr().err == "course: stopped\n"
+
     def test_too_few(self, folder, tmp_path, capsys):
         photos = [str(folder / name) for name in ("view1.png", "x_half.jpg")]
         options = ["--board", "7x5", "--square", "30", "--output", str(tmp_path)]
@@ -96,11 +142,28 @@ class TestCalibrate:
             (["--board", "7x5", "--square", "0"], "--square must be from 0.5 mm"),
             (["--board", "1x5", "--square", "30"], "columns must be a whole number"),
             (["--board", "7x5", "--square", "30", "--coefficients", "k9"], "coefficients must be"),
+            (["--board", "7x5", "--square", "30", "--coefficients", ""], "--coefficients none"),
             (["--board", "7x5", "--square", "30", "--kind", "squares"], "need --pitch"),
+            (["--board", "7x5", "--square", "30", "--marker", "20"], "is for --kind charuco"),
+            (["--board", "7x5", "--square", "2500"], "to 2000 mm, got 2500"),
         ],
     )
     def test_impossible_options(self, folder, options, said, capsys):
         assert main(["calibrate", str(folder), *options]) == 2
+        assert said in capsys.readouterr().err
+
+    @pytest.mark.parametrize(
+        ("text", "said"),
+        [
+            ("30,5", "write 30.5 "),
+            ("30mm", "write 30.0 "),
+            ("3 cm", "write 30.0 "),
+            ("nan", "write a number of millimetres"),
+        ],
+    )
+    def test_length_as_people_write_it(self, text, said, capsys):
+        with pytest.raises(SystemExit):
+            main(["calibrate", "x", "--board", "7x5", "--square", text])
         assert said in capsys.readouterr().err
 
     def test_board_as_words(self, capsys):
@@ -147,6 +210,19 @@ class TestBoard:
         assert main(["board", str(path), *options]) == 0
         assert path.read_bytes().startswith(b"%PDF")
         assert "Print it at 100 %" in capsys.readouterr().out
+
+    def test_another_ending(self, tmp_path, capsys):
+        path = tmp_path / "board.png"
+        assert main(["board", str(path), "--board", "9x6", "--square", "25"]) == 2
+        assert "must end in .pdf" in capsys.readouterr().err
+        assert not path.exists()
+
+    def test_the_help_shows_boards_that_fit(self, tmp_path):
+        boards = re.findall(r"--board \d.*", EXAMPLE)
+        assert len(boards) == 3
+        for number, line in enumerate(boards):
+            options = shlex.split(line.split("  ")[0])
+            assert main(["board", str(tmp_path / f"{number}.pdf"), *options]) == 0
 
     def test_too_large(self, tmp_path, capsys):
         code = main(["board", str(tmp_path / "b.pdf"), "--board", "9x6", "--square", "40"])

@@ -8,6 +8,7 @@ from course_lib.calibrating.looking import look_at_photos
 from course_lib.calibrating.pictures import (
     SetAside,
     find_photos,
+    left_out,
     read_grey,
     read_header,
     usual_size,
@@ -48,6 +49,10 @@ class TestSetAside:
         assert run.lines[0].startswith("[ 1/18] + view1.png: All 7 × 5 corners found.")
         assert len(run.lines) == 18
 
+    def test_those_that_can_be_read_are_shown(self, run):
+        shown = ("x_small.png", "x_turned.png", "x_again.png", "x_tripod.png", "x_empty_table.png")
+        assert all(run.photos[name].thumbnail is not None for name in shown)
+
     def test_all_broken(self, tmp_path):
         (tmp_path / "a.jpg").write_bytes(b"")
         photos = look_at_photos([tmp_path / "a.jpg"], BOARD, lambda line: None)
@@ -65,6 +70,21 @@ class TestFinding:
             (tmp_path / name).touch()
         found = find_photos([str(tmp_path / "b.jpg"), str(tmp_path / "*.jpg")])
         assert [p.name for p in found] == ["b.jpg", "a.jpg"]
+
+    def test_only_what_is_a_photograph(self, tmp_path):
+        for name in ("a.jpg", "._a.jpg", "IMG_1.HEIC", "notes.txt"):
+            (tmp_path / name).touch()
+        (tmp_path / "b.jpg").mkdir()
+        assert [p.name for p in find_photos([str(tmp_path)])] == ["a.jpg"]
+        said = " ".join(left_out([str(tmp_path)]))
+        assert "not looked into: b.jpg/" in said
+        assert "Cannot be read: IMG_1.HEIC. Export them as JPEG" in said
+        assert "by their names: notes.txt" in said
+
+    @pytest.mark.parametrize("name", ["foto/", "foto"])
+    def test_no_such_folder(self, name):
+        with pytest.raises(ValueError, match=f"no folder {name}"):
+            find_photos([name])
 
     def test_nothing(self, tmp_path):
         with pytest.raises(ValueError, match="name files or a folder"):
