@@ -203,7 +203,7 @@ def _bars(sigma: dict[str, float], noise: float) -> Picture:
         labels += [Label(name, (left - 6, v), anchor="end"), Label(text, (end + 5, v))]
         said.append(f"{name} {text}")
     return Picture(
-        "Standard deviations (bar of k1: × 1000)",
+        "Sigma (bar of k1: × 1000)",
         f"Standard deviations if corners are found to {noise:g} px: {', '.join(said)}.",
         BARS_SIZE,
         lines=tuple(lines),
