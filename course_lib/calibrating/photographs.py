@@ -75,7 +75,9 @@ def on_files(solved: Solved) -> Iterator[Statement]:
     turned = [photo for photo in solved.photos if photo.problem == "turned"]
     for verdict in sorted({photo.verdict for photo in turned}):
         names = ", ".join(photo.name for photo in turned if photo.verdict == verdict)
-        yield Statement("note", f"{names}: {verdict[0].lower() + verdict[1:]} Set aside.")
+        yield Statement(
+            "note", f"{names}: {verdict.removeprefix('This photograph is ')} Set aside."
+        )
     said = ("does not fit", "turned")
     aside = [p for p in solved.photos if not p.used and p.problem not in said]
     if aside:

@@ -7,6 +7,7 @@ import sys
 
 import numpy as np
 import pytest
+from PIL import Image
 from real_data import fetched
 
 from course_lib import data
@@ -69,7 +70,18 @@ class TestCalibrate:
         # True camera: an edge is at 240 / 420 = r (1 - 0.28 r² + 0.1 r⁴), so r = 0.632.
         width = re.search(r"([\d.]+)° across", page.text)
         assert float(width[1]) == pytest.approx(2 * np.degrees(np.arctan(0.632)), abs=0.5)
-        assert "undistort_picture(photograph" in page.text
+
+    def test_the_program_in_the_report_runs(self, output, folder, tmp_path, monkeypatch):
+        page = (output[1] / "report.html").read_text("utf-8")
+        program = re.search(r"<pre>(.*?)</pre>", page, re.S)[1]
+        shutil.copy(output[1] / "camera.json", tmp_path)
+        photograph = Image.open(folder / "view1.png")
+        photograph.save(tmp_path / "photograph.jpg")
+        monkeypatch.chdir(tmp_path)
+        exec(program, {})
+        straight = Image.open("straight.png")
+        assert straight.size == photograph.size
+        assert np.abs(np.asarray(straight, float) - np.asarray(photograph, float)).mean() > 1
 
     def test_a_second_run_leaves_no_old_file(self, output, folder, tmp_path):
         target = tmp_path / "out"
