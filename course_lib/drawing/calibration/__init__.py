@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from course_lib.drawing.calibration.judging import (
-    coverage_map,
     held_out_models,
     steps_down,
     views_grow,
@@ -43,7 +42,6 @@ __all__ = [
     "closed_form",
     "computed_photographs",
     "contact_sheet",
-    "coverage_map",
     "detected_corners",
     "flatness",
     "focus_changes",

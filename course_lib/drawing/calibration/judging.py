@@ -11,23 +11,18 @@ from numpy.typing import ArrayLike
 from course_lib.calibration import (
     Calibration,
     CameraModel,
-    Coverage,
     calibrate,
-    coverage,
     held_out_rms,
 )
 from course_lib.drawing.calibration.photographs import BOARD, SIZE
 from course_lib.drawing.diagrams import (
     figure,
     panels,
-    picture_frame,
     plain_numbers,
-    write,
 )
-from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
+from course_lib.drawing.style import FULL_WIDTH, GREY, ROLES
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 #: Sets of coefficients, one longer than the other.
@@ -66,46 +61,6 @@ def steps_down(histories: Mapping[str, Sequence[float]]) -> Figure:
     plain_numbers(ax)
     ax.legend()
     return fig
-
-
-@figure("Where in the picture corners were seen, by cells: some cells have none.")
-def coverage_map(pixels: Sequence[ArrayLike]) -> Figure:
-    """Show which parts of the picture the corners of all views cover.
-
-    Parameters
-    ----------
-    pixels : sequence of array_like, shape (N, 2)
-        Corners of each view.
-
-    Returns
-    -------
-    Figure
-        All corners, and the number in each of 8 × 6 cells.
-    """
-    found = coverage(pixels, SIZE)
-    fig, ax = panels(1, 1, (FULL_WIDTH * 0.75, 4.2))
-    picture_frame(ax, SIZE)
-    _cells(ax, found)
-    ax.plot(*np.vstack([np.asarray(v, float) for v in pixels]).T, ".", color=ROLES["object"], ms=2)
-    middle = (np.array(SIZE) - 1) / 2
-    turn = np.linspace(0, 2 * np.pi, 181)
-    ring = middle + found.reach * np.linalg.norm(middle) * np.stack([np.cos(turn), np.sin(turn)], 1)
-    ax.plot(*ring.T, "--", color=BLACK, lw=1.2, clip_on=True)
-    reach = f"out to {100 * found.reach:.0f} % of the way to a corner"
-    ax.set_title(f"{100 * found.share:.0f} % of the cells; {reach}", fontsize=10.5)
-    return fig
-
-
-def _cells(ax: Axes, found: Coverage) -> None:
-    """Draw the cells of a coverage, coloured where a corner was seen, with their numbers."""
-    rows, columns = found.counts.shape
-    wide, tall = SIZE[0] / columns, SIZE[1] / rows
-    paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.75}
-    for (row, column), count in np.ndenumerate(found.counts):
-        left, top = column * wide - 0.5, row * tall - 0.5
-        across, down = [left, left + wide, left + wide, left], [top, top, top + tall, top + tall]
-        ax.fill(across, down, fc=ROLES["image"] if count else "white", alpha=0.3, ec=GREY, lw=0.6)
-        write(ax, (left + wide / 2, top + tall / 2), str(count), bbox=paper, fontsize=10)
 
 
 @figure("Focal length, principal point and k1 with their sigma, from two views up to all.")

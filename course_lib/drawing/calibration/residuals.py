@@ -67,7 +67,6 @@ def _arrows(ax: Axes, at: Floats, left: Floats, times: float, **options: Any) ->
 def views_one_by_one(
     pixels: Sequence[ArrayLike],
     residuals: Sequence[ArrayLike],
-    kept: ArrayLike | None = None,
     times: float = 60.0,
 ) -> Figure:
     """Show the residuals of every view in a panel of its own.
@@ -76,8 +75,6 @@ def views_one_by_one(
     ----------
     pixels, residuals : sequence of array_like, shape (N, 2)
         Corners and residuals of each view, px.
-    kept : array_like of bool, shape (V,), optional
-        Which views are kept; the others get a cross.
     times : float
         How many times too long the arrows are.
 
@@ -86,7 +83,6 @@ def views_one_by_one(
     Figure
         A panel for each view with the root mean square of its residuals.
     """
-    keep = same_shape(kept, np.zeros(len(pixels)))
     rows = -(-len(pixels) // 5)
     fig, axes = panels(rows, 5, (FULL_WIDTH, 1.5 * rows), squeeze=False)
     for ax in axes.flat[len(pixels) :]:
@@ -95,12 +91,7 @@ def views_one_by_one(
         picture_frame(ax, SIZE)
         ax.set(xticks=[], yticks=[], xlabel="", ylabel="")
         _arrows(ax, np.asarray(at, float), np.asarray(left, float), times, width=0.008)
-        out = keep is not None and not keep[number]
-        title = f"view {number}: {rms_error(left):.2f} px"
-        ax.set_title(title, fontsize=8.5, pad=2, color=ROLES["object"] if out else "black")
-        if out:
-            ax.plot([0, SIZE[0]], [0, SIZE[1]], color=GREY, lw=1.2)
-            ax.plot([0, SIZE[0]], [SIZE[1], 0], color=GREY, lw=1.2)
+        ax.set_title(f"view {number}: {rms_error(left):.2f} px", fontsize=8.5, pad=2)
     fig.suptitle(f"arrows × {times:g}", fontsize=9, color=GREY, x=0.99, ha="right")
     return fig
 
