@@ -32,6 +32,8 @@ from course_lib.detection.result import (
 
 #: Squares beyond the board's last: so many must be dark or light in turn, with so much contrast.
 MANY, STRONG = 0.8, 0.4
+#: So much of all cells is of the right shade; all of it on the real photographs that were tried.
+UNIFORM = 0.9
 #: Blur at which corners are fitted best, px.
 SHARP = 1.2
 
@@ -140,11 +142,29 @@ def _dark_first(grey: Picture, grid: Array) -> bool:
 
 
 def _alternating(grey: Picture, grid: Array) -> bool:
-    """Return whether squares are dark and light in turns: no row or column was jumped over."""
-    even, odd = _squares(grey, grid)
-    level, sign = (np.median(even) + np.median(odd)) / 2, np.sign(even.mean() - odd.mean())
-    right = np.concatenate([sign * (even - level) > 0, sign * (level - odd) > 0])
-    return bool(right.mean() >= MANY)
+    """Return whether each cell is of one shade, and its neighbours of another.
+
+    If not, rows or columns were jumped over, and cells are made of several squares.
+    """
+    values = _in_cells(grey, grid)
+    means = np.pad(values.mean(axis=2), 1, constant_values=np.nan)
+    sides = [np.roll(means, step, axis) for axis in (0, 1) for step in (-1, 1)]
+    around = np.nanmean(np.stack(sides)[:, 1:-1, 1:-1], axis=0)
+    difference = (means[1:-1, 1:-1] - around)[..., None]
+    right = (values - around[..., None] - difference / 2) * difference > 0
+    return bool(right.mean() >= UNIFORM)
+
+
+def _in_cells(grey: Picture, grid: Array) -> Array:
+    """Return grey levels at nine places in each cell, shape (rows - 1, columns - 1, 9)."""
+    first, right, below, last = grid[:-1, :-1], grid[:-1, 1:], grid[1:, :-1], grid[1:, 1:]
+    parts = [(x, y) for x in (0.25, 0.5, 0.75) for y in (0.25, 0.5, 0.75)]
+    places = [
+        (1 - y) * ((1 - x) * first + x * right) + y * ((1 - x) * below + x * last) for x, y in parts
+    ]
+    columns, rows = np.rint(np.stack(places, axis=2)).astype(int).transpose(3, 0, 1, 2)
+    inside = np.clip(rows, 0, grey.shape[0] - 1), np.clip(columns, 0, grey.shape[1] - 1)
+    return np.asarray(grey[inside], float)
 
 
 def _squares(grey: Picture, grid: Array) -> tuple[Array, Array]:

@@ -125,6 +125,14 @@ class TestVerdicts:
         assert not found.found
         assert "9 × 6 corners" in found.verdict
 
+    @pytest.mark.parametrize("counts", [(6, 5), (5, 4), (4, 4)])
+    def test_a_piece_of_a_larger_board_is_not_the_board(self, counts):
+        """OpenCV finds such a piece, some by jumping over every other column."""
+        for picture in (drawn(9, 6), *real_pictures("left")[0][:7:2]):
+            found = detect_board(picture, Checkerboard(*counts, 30))
+            assert found.problem == "wrong size"
+            assert sorted(found.seen) == [6, 9]
+
     @pytest.mark.parametrize("level", [0, 128, 255])
     def test_no_board(self, level):
         found = detect_board(np.full((120, 160), level, np.uint8), Checkerboard(9, 6, 30))

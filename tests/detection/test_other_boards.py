@@ -6,7 +6,7 @@ import pytest
 from real_data import fetched
 
 from course_lib import data
-from course_lib.boards import Charuco, DotGrid, SquareGrid
+from course_lib.boards import Charuco, Checkerboard, DotGrid, SquareGrid
 from course_lib.detection import detect_board
 from course_lib.detection.circles import circle_bias
 from data_generators.board_scenes import board_texture
@@ -72,6 +72,14 @@ class TestDots:
         found = detect_board(picture, DOTS)
         assert not found.found
         assert found.problem == problem
+
+    @pytest.mark.parametrize("board", [DOTS, SQUARES])
+    def test_a_checkerboard_instead(self, board):
+        picture = cv2.resize(board_texture(Checkerboard(8, 5, 25))[0], (400, 280))
+        found = detect_board(picture, board)
+        assert not found.found
+        assert found.problem == "other kind"
+        assert "looks like a checkerboard of 8 × 5 corners, not" in found.verdict
 
     def test_wrong_size(self):
         picture = cv2.resize(board_texture(DOTS)[0], (400, 330), interpolation=cv2.INTER_AREA)
