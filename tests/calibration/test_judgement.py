@@ -156,6 +156,12 @@ class TestRobust:
         assert found.calibration.rms == pytest.approx(good.rms, rel=0.01)
         assert np.linalg.norm(found.calibration.residuals[3][20]) == pytest.approx(slip, rel=0.3)
 
+    def test_what_is_off_by_a_hair_is_not_wrong(self):
+        """In pictures without noise, 0.06 px would be many standard deviations."""
+        seen = observe(noise=0.001)
+        seen.pixels[3][20] += [0.06, 0]
+        assert calibrate_robustly(BOARD, seen.pixels, SIZE).reasons == ()
+
     def test_bad_views(self):
         seen, rng = observe(), np.random.default_rng(1)
         good = calibrate(BOARD, seen.pixels, SIZE)
