@@ -79,9 +79,8 @@ def _agreement(
     def agreement(variant: Callable[..., Any]) -> list[bool]:
         agrees = [False] * len(cases)
         for part in by_part:
-            first_wrong = sorted(part, key=lambda i: i not in wrong)
-            outcomes = own_answers(exercise, variant, (cases[i] for i in first_wrong))
-            for i, outcome in zip(first_wrong, outcomes, strict=True):
+            outcomes = own_answers(exercise, variant, (cases[i] for i in part))
+            for i, outcome in zip(part, outcomes, strict=True):
                 agrees[i] = _alike(compare, answers[i], outcome)
                 if i in wrong and not agrees[i]:
                     break

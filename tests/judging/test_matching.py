@@ -1,9 +1,11 @@
 """One mistake in several forms gets one hint, and chance does not hide a huge one."""
 
+import warnings
+
 import numpy as np
 import pytest
 
-from course_lib.judging import Exercise, Misconception, answer, judge, pose
+from course_lib.judging import Exercise, Misconception, Part, answer, judge, pose
 from course_lib.judging.matching import BothBeyond
 
 
@@ -59,6 +61,57 @@ def test_the_name_is_that_of_the_first_form():
     cases = pose(EXERCISE, 3)
     found = judge(EXERCISE, cases, answer(EXERCISE, upside_down, cases))
     assert found.misconceptions == ("divided",)
+
+
+def test_an_answer_that_is_wrong_for_some_inputs_only_gets_its_hint():
+    """A part is left at a wrong answer that the mistake does not give, not at a right one."""
+    two = Exercise(
+        "demo",
+        scaled,
+        parts={"plain": Part(drawn, cases=2)},
+        misconceptions=[Misconception(divided, "Grow or shrink?")],
+    )
+    cases = pose(two, 3)
+    first = cases[0].inputs["factor"]
+
+    def half_mended(values, factor):
+        return values * factor if factor == first else values / factor
+
+    verdict = judge(two, cases, answer(two, half_mended, cases))
+    assert verdict.hints == ("Grow or shrink?",)
+
+
+def test_trying_mistakes_leaves_the_inputs_as_they_were():
+    def in_place(values, factor):
+        values /= factor
+        return values
+
+    table = Exercise(
+        "demo",
+        scaled,
+        parts={"plain": lambda rng: {"values": rng.uniform(6, 9, 4), "factor": 2.0}},
+        misconceptions=[Misconception(in_place, "Grow or shrink?")],
+    )
+    cases = pose(table, 3)
+    before = cases[0].inputs["values"].copy()
+    verdict = judge(table, cases, answer(table, divided, cases))
+    assert verdict.hints == ("Grow or shrink?",)
+    np.testing.assert_array_equal(cases[0].inputs["values"], before)
+
+
+def test_a_mistake_that_warns_is_tried_in_silence():
+    def warning(values, factor):
+        warnings.warn("badly conditioned", RuntimeWarning, stacklevel=1)
+        return values / factor
+
+    loud = Exercise(
+        "demo",
+        scaled,
+        parts={"plain": drawn},
+        misconceptions=[Misconception(warning, "Grow or shrink?")],
+    )
+    cases = pose(loud, 3)
+    assert judge(loud, cases, answer(loud, divided, cases)).hints == ("Grow or shrink?",)
 
 
 def unpacked(values, factor):
