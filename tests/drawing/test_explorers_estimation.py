@@ -8,7 +8,6 @@ from course_lib.drawing.explorers import homography as wall
 from course_lib.drawing.explorers import least_squares as line
 from course_lib.homogeneous import apply_homography
 from course_lib.homography import homography_dlt
-from course_lib.widgets import estimation as widgets
 from data_generators import facade
 
 LINE, WALL, NOISE = line.least_squares_frame, wall.homography_frame, noise.dlt_noise_frame
@@ -194,25 +193,3 @@ def test_pins_in_one_plane_find_no_camera():
     frame = NOISE(12, 0.5, 0, 1)
     assert "one plane" in frame.readouts[0].value
     assert "one plane" in frame.pictures[2].alt
-
-
-# All of them
-
-
-@pytest.mark.parametrize(
-    "make",
-    [widgets.least_squares_explorer, widgets.homography_explorer, widgets.dlt_noise_explorer],
-)
-def test_every_end_of_every_control_can_be_drawn(make):
-    explorer = make()
-    for name, control in explorer._controls.items():
-        positions = getattr(control, "positions", [False, True])
-        for end in (positions[0], positions[-1]):
-            explorer.set(**{name: end})
-            frame = explorer.frame_now()
-            for picture in frame.pictures:
-                assert len(picture.alt) > 30
-                for label in picture.labels:
-                    assert (np.array(label.at) >= 0).all(), label
-                    assert (np.array(label.at) <= picture.size).all(), label
-        explorer.reset()

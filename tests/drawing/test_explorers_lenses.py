@@ -6,7 +6,6 @@ from course_lib.drawing.explorers import aperture_window as window
 from course_lib.drawing.explorers import depth_of_field as depth
 from course_lib.drawing.explorers import ray_tracer as rays
 from course_lib.drawing.explorers.plot import Plot
-from course_lib.widgets import lenses as widgets
 from data_generators import signs
 
 DEPTH = depth.depth_of_field_frame
@@ -284,45 +283,3 @@ def test_axes_take_their_ends_to_their_corners_and_leave_the_rest_out():
     )
     assert np.isnan(plot.pixels([0.5, 10, 10], [1, 6, -1])).all()
     assert plot.at(10, 2.5, 1, 2) == (61, 47)
-
-
-# All of them
-
-EXPLORERS = {
-    "depth": (widgets.depth_of_field_explorer, {"N": 16.0, "f": 24.0}),
-    "rays": (widgets.ray_tracer_explorer, {"f1": 100, "Z": 40}),
-    "two lenses": (widgets.two_lens_explorer, {"second": rays.COLLECTING, "Z": 40}),
-    "window": (widgets.aperture_window_explorer, {"N": 22.0, "pitch": 3.5}),
-}
-
-
-@pytest.mark.parametrize("name", EXPLORERS)
-def test_pictures_and_words_follow_the_state(name):
-    make, state = EXPLORERS[name]
-    explorer = make()
-    one = explorer.frame_now()
-    explorer.set(**state)
-    other = explorer.frame_now()
-    assert one.in_words() != other.in_words()
-    for picture in (*one.pictures, *other.pictures):
-        assert picture.alt.endswith(".")
-    assert one.pictures[0].alt != other.pictures[0].alt
-
-
-@pytest.mark.parametrize("name", EXPLORERS)
-def test_every_corner_of_the_sliders_can_be_drawn(name):
-    explorer = EXPLORERS[name][0]()
-    controls = explorer._controls.values()
-    rng = np.random.default_rng(1)
-    for _ in range(25):
-        explorer.set(**{c.name: pick(c, rng) for c in controls})
-        frame = explorer.frame_now()
-        for picture in frame.pictures:
-            for label in picture.labels:
-                assert np.isfinite(label.at).all(), (explorer.state, label.text)
-
-
-def pick(control, rng):
-    """Return the first, the last or another position of a control."""
-    values = getattr(control, "positions", None) or control.options
-    return values[int(rng.choice([0, -1, rng.integers(len(values))]))]

@@ -5,7 +5,6 @@ import pytest
 
 from course_lib import sensor
 from course_lib.drawing.explorers import bayer, exposure, rolling_shutter, structured_light
-from course_lib.widgets import sensor as widgets
 
 EXPOSURE = exposure.exposure_frame
 ROLL = rolling_shutter.rolling_shutter_frame
@@ -239,22 +238,3 @@ def test_pictures_and_words_follow_the_state(one, other):
         assert first.alt != second.alt
         assert first.alt.endswith(".")
     assert (one.pictures[0].image != other.pictures[0].image).any()
-
-
-@pytest.mark.parametrize(
-    "make",
-    [
-        widgets.exposure_explorer,
-        widgets.rolling_shutter_explorer,
-        widgets.bayer_explorer,
-        widgets.structured_light_explorer,
-    ],
-)
-def test_every_end_of_every_control_can_be_shown(make):
-    explorer = make()
-    for control in explorer.spec["controls"]:
-        values = control.get("values", control.get("options", [False, True]))
-        for end in (values[0], values[-1]):
-            explorer.set(**{control["name"]: end})
-            assert explorer.frame_now().pictures
-        explorer.reset()

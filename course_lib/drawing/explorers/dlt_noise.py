@@ -151,9 +151,12 @@ def _plan(found: Floats, outline: Floats | None = None) -> Picture:
     lines = [Line(PLAN.pixels(*PLATE[:, :2].T), "guide", 1.5, closed=True, fill=0.15)]
     lines.append(Line(PLAN.pixels([centre[0], 210], [centre[1], 150]), "guide", 1.0, dashed=True))
     lines += _cloud(PLAN, found, outline)
+    away = np.linalg.norm(found[:, :2] - centre[:2], axis=1)
+    tries = f"the tries put it up to {away.max():.0f} mm away" if len(away) else "no try finds it"
     return Picture(
         "From above",
-        f"The plate, and the camera {np.linalg.norm(centre[:2] - [210, 150]):.0f} mm beside it.",
+        f"The plate, and the camera {np.linalg.norm(centre[:2] - [210, 150]):.0f} mm beside it; "
+        f"{tries}.",
         PLAN_SIZE,
         lines=tuple(lines),
         labels=(

@@ -123,9 +123,11 @@ def _outside(camera: Camera) -> Picture:
     centre = camera.centre
     origin, *tips = view.project(np.vstack([centre, centre + AXIS * camera.R]))
     axes = tuple(Line(np.array([origin, tip]), "second", 2.0) for tip in tips)
+    named = {name: tip + 0.35 * (tip - origin) for name, tip in zip("xyz", tips, strict=True)}
     names = tuple(
-        Label(name, _pair(tip + 0.35 * (tip - origin)), "second", "middle")
-        for name, tip in zip("xyz", tips, strict=True)
+        Label(name, _pair(at), "second", "middle")
+        for name, at in named.items()
+        if ((at > 0) & (at < view.image_size)).all()
     )
     return Picture(
         "The camera from outside",
