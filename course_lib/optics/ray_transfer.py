@@ -21,6 +21,9 @@ from course_lib.checks import (
     check_points,
 )
 
+#: Relative to the products that a determinant is the difference of.
+ROUNDING = 1e-12
+
 
 def free_space(d: float) -> Array:
     """Return the matrix of a way through air.
@@ -187,11 +190,19 @@ def image_of_point(system: ArrayLike, Z: float) -> tuple[float, float]:
     (62.5, -0.25)
     """
     system = check_matrix(system, (2, 2), "system")
-    (A, B), (C, D) = system @ free_space(Z)
+    (_, B), (_, D) = system @ free_space(Z)
     if D == 0:
         return np.inf, np.inf
     # The ray's height behind the image's distance s must not depend on its angle: B + s D = 0.
-    return float(-B / D), float(A - C * B / D)
+    # Then m = A + s C is det / D, which loses no digits; free space has the determinant one.
+    return float(-B / D), float(_determinant(system) / D)
+
+
+def _determinant(system: Array) -> float:
+    """Return a determinant; in air it is exactly one, and what differs is rounding."""
+    product, other = system[0, 0] * system[1, 1], system[0, 1] * system[1, 0]
+    in_air = abs(product - other - 1) <= ROUNDING * (abs(product) + abs(other))
+    return 1.0 if in_air else float(product - other)
 
 
 def check_focal_length(value: ArrayLike, name: str) -> float:

@@ -75,6 +75,16 @@ def test_inputs_are_not_modified():
 
 
 class TestImageOfPoint:
+    def test_a_point_in_the_front_focus_of_a_tiny_lens_keeps_its_digits(self):
+        system = system_matrix([thin_lens(1e-4), free_space(2049), thin_lens(1)])
+        assert image_of_point(system, 1e-4)[1] == pytest.approx(-1e4, rel=1e-9)
+
+    def test_between_air_and_water(self):
+        into_water = np.array([[1, 0], [-0.01, 1 / 1.33]])  # the determinant is n / n'
+        distance, m = image_of_point(into_water, 300)
+        (A, _), (C, _) = into_water
+        assert m == pytest.approx(A + distance * C, rel=1e-12)
+
     @pytest.mark.parametrize("Z", [51, 100, 1e5])
     def test_single_lens(self, Z):
         distance, m = image_of_point(thin_lens(50), Z)
