@@ -228,3 +228,18 @@ def check_rotation(R: ArrayLike, tolerance: float = 1e-6) -> Array:
             "R is a reflection (determinant -1), not a rotation: swap two axes or a sign"
         )
     return R
+
+
+def check_generator(rng: object) -> np.random.Generator:
+    """Return a random generator; a seed is none."""
+    if not isinstance(rng, np.random.Generator):
+        raise TypeError(f"rng must be a generator such as np.random.default_rng(0), got {rng!r}")
+    return rng
+
+
+def check_count(value: int, name: str, least: int = 1) -> int:
+    """Return a whole number that is large enough."""
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not whole or value < least:
+        raise ValueError(f"{name} must be a whole number, {least} or more, got {value!r}")
+    return int(value)

@@ -15,7 +15,13 @@ from typing import Generic
 import numpy as np
 from numpy.typing import NDArray
 
-from course_lib.checks import Array, DegenerateConfigurationError, check_number
+from course_lib.checks import (
+    Array,
+    DegenerateConfigurationError,
+    check_count,
+    check_generator,
+    check_number,
+)
 from course_lib.epipolar.lines import sampson_residuals
 from course_lib.epipolar.refinement import G, refined_robustly
 
@@ -168,8 +174,7 @@ def search(problem: Problem[G], confidence: float, most: int, rng: np.random.Gen
     DegenerateConfigurationError
         If no sample gives a geometry that fits more pairs than a sample has.
     """
-    if not most >= 1:
-        raise ValueError(f"most_samples must be 1 or more, got {most}")
+    rng, most = check_generator(rng), check_count(most, "most_samples")
     everyone = np.arange(problem.x1.shape[1])
     turn, drawn, needed = 0, 0, math.inf
     best: Found[G] | None = None

@@ -14,6 +14,8 @@ from course_lib.bundle.control import Control
 from course_lib.checks import (
     Array,
     DegenerateConfigurationError,
+    check_count,
+    check_generator,
     check_intrinsics,
     check_length,
 )
@@ -149,6 +151,7 @@ def resect_robustly(
     names = "points", "pixels"
     X, seen = check_correspondences(points, pixels, (3, 2), names, least=4)
     K, threshold = check_intrinsics(K), check_length(threshold, "threshold")
+    rng, samples = check_generator(rng), check_count(samples, "samples")
     check_spread(X, 2, names[0])
     triples = rng.random((samples, len(X))).argpartition(2, axis=1)[:, :3]
     R, t = _poses(X, seen, K, triples)

@@ -9,7 +9,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.checks import Array, check_not_negative, check_number, check_numbers
+from course_lib.checks import (
+    Array,
+    check_generator,
+    check_not_negative,
+    check_number,
+    check_numbers,
+)
 from course_lib.sensor.sensor_model import SensorModel
 
 #: Electrons from which the normal distribution stands in for Poisson's (skewness below 0.06).
@@ -134,8 +140,7 @@ def expose(
     ----------
     EMVA Standard 1288, release 4.0 (linear), section 2; J. Janesick, Photon Transfer, chapter 3.
     """
-    if not isinstance(rng, np.random.Generator):
-        raise TypeError(f"rng must be a generator such as np.random.default_rng(0), got {rng!r}")
+    check_generator(rng)
     electrons = _poisson(mean_electrons(photons, camera, exposure_time), rng)
     electrons = np.minimum(electrons, camera.full_well)
     if camera.read_noise:

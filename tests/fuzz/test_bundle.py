@@ -1,37 +1,23 @@
 """Whatever goes in: either a block or a pose, or an error that says what to do."""
 
-import math
 from functools import partial
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from fuzzing import either, fuzzing, intrinsics, numbers, outcome
+from hypothesis import given
 from hypothesis import strategies as st
 
 from course_lib import bundle, orientation
 from course_lib.bundle import Block, Control, Observations, bundle_adjust
 from data_generators.blocks import turntable
 
-settings.register_profile(
-    "bundle",
-    derandomize=True,
-    max_examples=25,
-    deadline=None,
-    suppress_health_check=[HealthCheck.too_slow],
-)
-fuzz = settings(settings.get_profile("bundle"))
+fuzz = fuzzing(25)
 pytestmark = pytest.mark.filterwarnings("error")
 
-mischief = st.sampled_from(
-    [math.nan, math.inf, "5", None, [], [1, [2, 3]], {}, 1j, True, [[[1.0]]], 1e60, -1e30, [0, 0]]
-)
-numbers = st.one_of(st.floats(-2, 2), st.floats(-1e6, 1e6), st.floats())
 space = st.lists(st.tuples(numbers, numbers, numbers), min_size=1, max_size=7)
 pixels = st.lists(st.tuples(numbers, numbers), min_size=1, max_size=7)
 indices = st.lists(st.integers(-1, 9), max_size=7)
-intrinsics = st.tuples(st.floats(1e-3, 1e6), st.floats(-1e3, 1e3)).map(
-    lambda v: [[v[0], v[1], 320], [0, 2 * v[0], 240], [0, 0, 1]]
-)
 vector = st.tuples(numbers, numbers, numbers)
 matrices = st.one_of(st.just(np.eye(3)), st.lists(vector, min_size=3, max_size=3))
 K = np.array([[800.0, 0, 320], [0, 800, 240], [0, 0, 1]])
@@ -75,24 +61,13 @@ def finite(result):
     return True
 
 
-def answer(function, *arguments):
-    """Return what a function returns, or nothing if it says what is wrong, as it may."""
-    try:
-        return function(*arguments)
-    except (ValueError, TypeError) as error:
-        said = f"{type(error).__name__}: {error}"
-    assert len(said) > 25
-    assert "LinAlg" not in said
-    return ()
-
-
 @pytest.mark.parametrize("name", CALLS)
 @fuzz
 @given(data=st.data())
 def test_numbers_come_out_or_a_sentence(name, data):
     function, arguments = CALLS[name]
-    drawn = [data.draw(st.one_of(each, each, each, mischief)) for each in arguments]
-    assert finite(answer(function, *drawn))
+    drawn = [data.draw(either(each)) for each in arguments]
+    assert finite(outcome(function, *drawn))
 
 
 @pytest.mark.parametrize("name", MATCHED)
@@ -108,7 +83,7 @@ def test_points_that_fit_together_are_oriented_or_named(name, count, flat, data)
         for width in widths
     ]
     rows[0][:, -1] *= not flat
-    assert finite(answer(function, *rows))
+    assert finite(outcome(function, *rows))
 
 
 @fuzz
@@ -124,9 +99,9 @@ def test_a_damaged_block_is_adjusted_or_named(gone, push, robust, gauge, seed):
     kept = seen.only(np.setdiff1d(np.arange(len(seen)), gone))
     away = push * random.standard_normal(kept.pixels.shape) * (random.random((len(kept), 1)) < 0.2)
     kept = Observations(kept.cameras, kept.points, kept.pixels + away, 0.5)
-    fit = answer(lambda: bundle_adjust(KNOWN.truth, kept, None, gauge, robust, 30))
+    fit = outcome(lambda: bundle_adjust(KNOWN.truth, kept, None, gauge, robust, 30))
     if fit:
         assert fit.cost <= fit.costs[0]
         assert finite([fit.residuals, fit.block.points])
-        precision = answer(lambda: fit.precision)
+        precision = outcome(lambda: fit.precision)
         assert not precision or finite([precision.cameras, precision.points])

@@ -4,21 +4,15 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from fuzzing import fuzzing, outcome
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 from course_lib import illumination, sensor
 from course_lib.sensor import SensorModel
 
-settings.register_profile(
-    "sensor",
-    derandomize=True,
-    max_examples=100,
-    deadline=None,
-    suppress_health_check=[HealthCheck.too_slow],
-)
-fuzz = settings(settings.get_profile("sensor"))
+fuzz = fuzzing(100)
 
 amounts = st.floats(1e-6, 1e9)
 mischief = st.sampled_from(
@@ -77,16 +71,6 @@ PLAIN = {
     "correct_lamp_drift": 4,
 }
 WITH_SENSOR = ("mean_electrons", "sensor_response", "signal_to_noise", "digitise")
-
-
-def outcome(function, *arguments):
-    """Return the answer, or None where the documented error came; anything else passes on."""
-    try:
-        return function(*arguments)
-    except (TypeError, ValueError) as error:
-        message = str(error)
-    assert len(message) > 15, "an error says what was expected"
-    return None
 
 
 def function_of(name):

@@ -1,41 +1,14 @@
 """Whatever goes in: either the answer is right, or a documented error comes. Nothing else."""
 
-import math
-
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from fuzzing import fuzzing, mischief, often_equal, outcome, rows_of
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from course_lib import epipolar, triangulation
 
-settings.register_profile(
-    "two views",
-    derandomize=True,
-    max_examples=25,
-    deadline=None,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
-)
-fuzz = settings(settings.get_profile("two views"))
-
-mischief = st.sampled_from(
-    [math.nan, math.inf, "5", None, [], [1, [2, 3]], {}, 1j, True, [[[1.0]]], 1e60, -1e30, [0, 0]]
-)
-small = st.floats(-10, 10)
-whole = st.integers(-3, 3).map(float)
-numbers = st.one_of(whole, whole, small, st.floats(-1e6, 1e6), st.floats())
-
-
-def rows_of(count, width):
-    """Return tables: of plain numbers, which are often degenerate, and of any numbers."""
-    return st.one_of(
-        *(
-            st.lists(
-                st.lists(entry, min_size=width, max_size=width), min_size=count, max_size=count
-            )
-            for entry in (whole, small, numbers)
-        )
-    )
+fuzz = fuzzing(25, HealthCheck.filter_too_much)
 
 
 def pairs(least, most=None):
@@ -55,7 +28,7 @@ def joined(*strategies):
 
 
 def vector(count):
-    return st.lists(numbers, min_size=count, max_size=count)
+    return st.lists(often_equal, min_size=count, max_size=count)
 
 
 def turn(quarters):
@@ -136,13 +109,7 @@ def test_answer_or_documented_error(name, data):
     arguments = list(data.draw(ARGUMENTS[name]))
     if data.draw(st.integers(0, 3)) == 0:
         arguments[data.draw(st.integers(0, len(arguments) - 1))] = data.draw(mischief)
-    try:
-        answer = found(name)(*arguments)
-    except (TypeError, ValueError) as error:
-        answer, message = None, str(error)
-    else:
-        message = "an answer came"
-    assert len(message) > 12, "an error says what was expected"
+    answer = outcome(found(name), *arguments)
     if name not in OPEN_ENDED:
         assert all(np.isfinite(np.asarray(part, dtype=float)).all() for part in parts(answer))
 
