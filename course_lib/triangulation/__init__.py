@@ -7,7 +7,7 @@ given by their camera matrices.
 from course_lib.triangulation.depth import depth_from_disparity, depth_uncertainty
 from course_lib.triangulation.many_views import (
     point_covariance,
-    refine_points,
+    refine_point,
     triangulate_linear,
 )
 from course_lib.triangulation.rays import (
@@ -23,7 +23,7 @@ __all__ = [
     "depth_uncertainty",
     "intersect_ray_plane",
     "point_covariance",
-    "refine_points",
+    "refine_point",
     "triangulate",
     "triangulate_linear",
     "triangulate_midpoint",

@@ -33,7 +33,7 @@ def triangulate_linear(pixels: ArrayLike, cameras: ArrayLike) -> Array:
 
     A view with the camera matrix of rows p1, p2, p3 gives the equations ``(u p3 - p1) X = 0`` and
     ``(v p3 - p2) X = 0``. Of all homogeneous points X of length 1, the one is taken for which the
-    errors are smallest. They have no meaning; for the best answer go on with `refine_points`.
+    errors are smallest. They have no meaning; for the best answer go on with `refine_point`.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def triangulate_linear(pixels: ArrayLike, cameras: ArrayLike) -> Array:
     return np.asarray(X[0] if single else X)
 
 
-def refine_points(points: ArrayLike, pixels: ArrayLike, cameras: ArrayLike) -> Array:
+def refine_point(points: ArrayLike, pixels: ArrayLike, cameras: ArrayLike) -> Array:
     """Return the points whose images are nearest to the measured pixels, near first guesses.
 
     Parameters

@@ -75,9 +75,7 @@ ARGUMENTS = {
     "triangulate": joined(pairs(1), camera, camera),
     "triangulate_midpoint": joined(pairs(1), camera, camera),
     "triangulate_linear": joined(st.lists(rows_of(3, 2), min_size=2, max_size=3), cameras),
-    "refine_points": joined(
-        rows_of(3, 3), st.lists(rows_of(3, 2), min_size=2, max_size=3), cameras
-    ),
+    "refine_point": joined(rows_of(3, 3), st.lists(rows_of(3, 2), min_size=2, max_size=3), cameras),
     "point_covariance": joined(rows_of(3, 3), cameras),
     "closest_points_on_rays": joined(vector(3), rows_of(3, 3), vector(3), rows_of(3, 3)),
     "intersect_ray_plane": joined(vector(3), rows_of(3, 3), vector(4)),

@@ -13,7 +13,7 @@ from course_lib.triangulation import (
     depth_uncertainty,
     intersect_ray_plane,
     point_covariance,
-    refine_points,
+    refine_point,
     triangulate,
     triangulate_linear,
     triangulate_midpoint,
@@ -43,7 +43,7 @@ def test_exact_pixels_give_the_points_back(seed):
         triangulate(*pixels, -2 * cameras[0], 5 * cameras[1]),
         triangulate_midpoint(*pixels, *cameras),
         triangulate_linear(pixels, cameras),
-        refine_points(1.02 * s.points, pixels, cameras),
+        refine_point(1.02 * s.points, pixels, cameras),
     ):
         np.testing.assert_allclose(points, s.points, rtol=1e-6)
     one = triangulate(s.exact1[0], s.exact2[0], s.P1, s.P2)
@@ -67,7 +67,7 @@ def test_closed_form_is_the_smallest_reprojection_error(seed):
 
     quick = triangulate(*pixels, *cameras)
     front = ~np.isnan(squares(quick))
-    best = refine_points(quick[front], pixels[:, front], cameras)
+    best = refine_point(quick[front], pixels[:, front], cameras)
     quick_squares = squares(quick)[front]
     best_squares = ((views(cameras, best) - pixels[:, front]) ** 2).sum(axis=(0, 2))
     assert front.mean() > 0.9
@@ -93,10 +93,10 @@ def test_more_views_and_gaps():
     pixels = exact + 0.5 * rng.normal(size=exact.shape)
     pixels[0, :50] = np.nan  # the first camera sees fewer
     linear = triangulate_linear(pixels, cameras)
-    best = refine_points(linear, pixels, cameras)
+    best = refine_point(linear, pixels, cameras)
     errors = [np.sqrt(((X - points) ** 2).sum(axis=1).mean()) for X in (best, linear)]
     assert errors[0] <= errors[1] < 0.01
-    alone = refine_points(linear[:50], pixels[1:, :50], cameras[1:])
+    alone = refine_point(linear[:50], pixels[1:, :50], cameras[1:])
     np.testing.assert_allclose(best[:50], alone, atol=1e-9)
     residuals = views(cameras, best) - pixels
     for step in 1e-4 * np.eye(3):  # nothing near is better
@@ -110,7 +110,7 @@ def test_covariance_is_the_scatter(cameras):
     rng, point = np.random.default_rng(2), np.array([0.3, 0.2, 5.0 if len(cameras) == 2 else 0.4])
     exact = views(cameras, point[None])
     pixels = exact + 0.2 * rng.normal(size=(len(cameras), 4000, 2))
-    found = refine_points(np.tile(point, (4000, 1)), pixels, cameras)
+    found = refine_point(np.tile(point, (4000, 1)), pixels, cameras)
     told = point_covariance(point, cameras, sigma=0.2)
     scatter = np.cov(found.T)
     size = np.sqrt(np.diag(told))
@@ -206,8 +206,8 @@ def test_degenerate_geometry_is_named(call, words):
         (lambda: triangulate_linear([[1, 2]] * 3, PAIR), r"shape \(V, N, 2\)"),
         (lambda: triangulate_linear([[1, 2], [np.nan, 2]], PAIR), "seen in 1 view"),
         (lambda: triangulate_linear([[1, 2], [np.inf, 2]], PAIR), "infinity"),
-        (lambda: refine_points([0, 0, -5], [[9, 9], [5, 9]], PAIR), "behind a camera"),
-        (lambda: refine_points([[0, 0, 5]] * 2, [[9, 9], [5, 9]], PAIR), "2 points"),
+        (lambda: refine_point([0, 0, -5], [[9, 9], [5, 9]], PAIR), "behind a camera"),
+        (lambda: refine_point([[0, 0, 5]] * 2, [[9, 9], [5, 9]], PAIR), "2 points"),
         (lambda: point_covariance([0, 0, -5], PAIR), "behind a camera"),
         (lambda: point_covariance([0, 0, 5], PAIR, sigma=0), "sigma must be positive"),
         (lambda: closest_points_on_rays([0] * 3, [[1, 0, 0]], [1] * 3, [1, 0, 0]), "partner"),
