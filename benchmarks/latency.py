@@ -49,7 +49,7 @@ EXPLORERS = {
             "structured light",
             "structured_light_explorer",
             "Structured light: height from the shift of a stripe",
-            "height",
+            "angle_deg",
         ),
     ),
     "distortion": (

@@ -1,9 +1,6 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib import homogeneous
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.homogeneous import (
     LINE_AT_INFINITY,
@@ -205,7 +202,3 @@ class TestTransformations:
             np.isnan(apply_homography([[2, 5], [3, 5]], to_infinity)),
             [[True, True], [False, False]],
         )
-
-
-def test_examples_run():
-    assert doctest.testmod(homogeneous).failed == 0

@@ -1,9 +1,6 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib import illumination
 from course_lib.illumination import (
     correct_lamp_drift,
     silhouette,
@@ -98,7 +95,3 @@ class TestLampDrift:
     def test_errors(self):
         with pytest.raises(ValueError, match="the patch must be brighter than the offset"):
             correct_lamp_drift([1, 2], [5, 5], [9, 9], offset=5)
-
-
-def test_examples_run():
-    assert doctest.testmod(illumination).failed == 0

@@ -1,7 +1,5 @@
 """Zhang's calibration: steps of the closed form, the minimum, and what does not determine it."""
 
-import doctest
-
 import numpy as np
 import pytest
 
@@ -14,13 +12,10 @@ from course_lib.calibration import (
     intrinsics_from_homographies,
     parameter_covariance,
     pose_from_homography,
-    procedure,
     refine_calibration,
     reprojection_residuals,
     residuals_and_jacobian,
-    zhang,
 )
-from course_lib.calibration import judgement as calibration_judgement
 from course_lib.calibration import model as calibration_model
 from course_lib.calibration.derivatives import derivative_blocks, residuals
 from course_lib.calibration.model import NAMES, State, rotations_from_vectors
@@ -405,10 +400,3 @@ class TestNotDetermined:
             calibrate(BOARD, [0 * p for p in pixels[:2]], SIZE)
         with pytest.raises(ValueError, match="image_size"):
             calibrate(BOARD, pixels[:2], (0, 480))
-
-
-@pytest.mark.parametrize("module", [procedure, calibration_judgement, calibration_model, zhang])
-def test_examples(module):
-    results = doctest.testmod(module)
-    assert results.attempted > 0 or module is calibration_judgement
-    assert results.failed == 0

@@ -1,7 +1,5 @@
 """What a calibration is worth: residuals, coverage, other views; and what does not belong to it."""
 
-import doctest
-
 import numpy as np
 import pytest
 
@@ -19,8 +17,6 @@ from course_lib.calibration import (
     rms_error,
     view_residuals,
 )
-from course_lib.calibration import judgement as calibration_judgement
-from course_lib.calibration import quality as calibration_coverage
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.transforms import rotation_from_vector
 from data_generators.board_observations import observe_board
@@ -227,10 +223,3 @@ class TestRobust:
         noise = [rng.uniform((0, 0), SIZE, (48, 2)) for _ in range(5)]
         with pytest.raises(DegenerateConfigurationError):
             calibrate_robustly(BOARD, noise, SIZE)
-
-
-@pytest.mark.parametrize("module", [calibration_coverage, calibration_judgement])
-def test_examples(module):
-    results = doctest.testmod(module)
-    assert results.attempted > 0
-    assert results.failed == 0

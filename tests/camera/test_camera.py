@@ -1,9 +1,6 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib import camera
 from course_lib.camera import (
     Camera,
     camera_at,
@@ -78,7 +75,3 @@ class TestCamera:
         np.testing.assert_allclose(cam.P, cam.K @ np.column_stack([cam.R, cam.t]))
         np.testing.assert_allclose(cam.centre, (4, -3, 2))
         np.testing.assert_allclose(cam.centre, camera_centre(cam.R, cam.t))
-
-
-def test_examples_run():
-    assert doctest.testmod(camera.camera).failed == 0

@@ -1,5 +1,3 @@
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -8,7 +6,6 @@ from hypothesis import strategies as st
 from course_lib.camera import (
     dolly_zoom,
     first_guess_intrinsics,
-    pinhole,
     pixel_focal_length,
     project_pinhole,
     vanishing_point,
@@ -171,7 +168,3 @@ class TestDollyZoom:
 
     def test_round_trip(self):
         np.testing.assert_allclose(dolly_zoom(dolly_zoom(50, 2, 6), 6, 2), 50)
-
-
-def test_examples_run():
-    assert doctest.testmod(pinhole).failed == 0

@@ -1,5 +1,3 @@
-import doctest
-
 import numpy as np
 import pytest
 
@@ -10,7 +8,6 @@ from course_lib.camera import (
     decompose_projection,
     pixel_ray,
     project,
-    projection,
 )
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.transforms import rotation_from_omega_phi_kappa
@@ -210,7 +207,3 @@ def test_every_argument_is_checked(function, good, bad, words):
     for i, argument in enumerate(good):
         with pytest.raises(ValueError, match=words):
             function(*good[:i], bad(argument), *good[i + 1 :])
-
-
-def test_examples_run():
-    assert doctest.testmod(projection).failed == 0

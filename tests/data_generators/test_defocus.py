@@ -1,5 +1,3 @@
-import doctest
-
 import cv2
 import numpy as np
 import pytest
@@ -7,7 +5,7 @@ import pytest
 from course_lib.camera import Camera, image_centre
 from course_lib.optics import circle_of_confusion
 from course_lib.sensor import photons_per_pixel
-from data_generators import defocus, disks
+from data_generators import disks
 from data_generators.defocus import DefocusedView, levels
 from data_generators.lens import Lens
 from data_generators.render import photograph, radiance
@@ -285,7 +283,3 @@ class TestQuick:
         for Z in DISTANCES:
             seen = {focus: contrast(focus, Z) for focus in (*DISTANCES, 8.0)}
             assert max(seen, key=seen.get) == Z
-
-
-def test_examples_run():
-    assert doctest.testmod(defocus).failed == 0

@@ -1,10 +1,7 @@
-import doctest
-
 import numpy as np
 import pytest
 
 from course_lib.sensor import SensorModel, expose, sensor_response
-from data_generators import quick_sensor
 from data_generators.quick_sensor import QuickSensor, developed
 
 SENSOR = SensorModel(quantum_efficiency=0.5, full_well=9_000, read_noise=10, gain=0.3, bits=12)
@@ -78,7 +75,3 @@ class TestDeveloped:
         shown = developed(numbers, SensorModel(gain=1.0))
         np.testing.assert_array_equal(shown[0, :3], 0)
         assert shown[0, 4] == 255
-
-
-def test_examples_run():
-    assert doctest.testmod(quick_sensor).failed == 0

@@ -1,11 +1,8 @@
-import doctest
-
 import cv2
 import numpy as np
 import pytest
 
 from course_lib.camera import Camera, camera_at, first_guess_intrinsics
-from data_generators import quick
 from data_generators.places import street, street_camera
 from data_generators.quick import QuickRenderer
 from data_generators.render import depth_map, numbers, photograph, radiance
@@ -187,7 +184,3 @@ class TestStages:
             photograph(scene, camera, exposure=-1)
         with pytest.raises(ValueError, match="subpixels must be 1, 2, 4 or 8, got 3"):
             QuickRenderer(scene, 3)
-
-
-def test_examples_run():
-    assert doctest.testmod(quick).failed == 0

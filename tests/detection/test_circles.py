@@ -1,11 +1,8 @@
-import doctest
-
 import numpy as np
 import pytest
 
 from course_lib.camera.projection import camera_matrix, project
 from course_lib.checks import DegenerateConfigurationError
-from course_lib.detection import circles
 from course_lib.detection.circles import circle_bias, distorted_circle_bias, image_of_circles
 from course_lib.distortion import distort_pixels
 from course_lib.transforms.rotations import rotation_about_axis
@@ -88,7 +85,3 @@ def test_errors():
         circle_bias(CENTRES, 0, K, R, T)
     with pytest.raises(ValueError, match=r"centres must have shape \(N, 3\)"):
         circle_bias(CENTRES[:, :2], 5, K, R, T)
-
-
-def test_examples():
-    assert doctest.testmod(circles).failed == 0

@@ -1,10 +1,7 @@
-import doctest
-
 import cv2
 import numpy as np
 import pytest
 
-from course_lib.detection import corner_fit
 from course_lib.detection.corner_fit import fit_corners, refine_corners, window_radii
 
 FINE = 8  # samples of a pixel along each axis
@@ -133,7 +130,3 @@ class TestErrors:
         refine_corners(picture, corners)
         np.testing.assert_array_equal(picture, copies[0])
         np.testing.assert_array_equal(corners, copies[1])
-
-
-def test_examples():
-    assert doctest.testmod(corner_fit).failed == 0

@@ -1,11 +1,8 @@
 """The models themselves: forward on normalised coordinates, on pixels, and their derivatives."""
 
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib import distortion
 from course_lib.distortion import (
     distort,
     distort_pixels,
@@ -16,8 +13,6 @@ from course_lib.distortion import (
     pixels_from_normalised,
     undistort_pixels,
 )
-from course_lib.distortion import model as distortion_model
-from course_lib.distortion import pixels as distortion_pixels
 
 K = np.array([[800.0, 3, 330], [0, 790, 250], [0, 0, 1]])
 BROWN = [-0.3, 0.12, 0.001, -0.0008, -0.02]
@@ -182,8 +177,3 @@ class TestPixels:
         for function in (distort_pixels, undistort_pixels):
             with pytest.raises(ValueError, match="K must be"):
                 function([1, 2], np.zeros((3, 3)), BROWN)
-
-
-@pytest.mark.parametrize("module", [distortion_model, distortion_pixels, distortion])
-def test_examples_run(module):
-    assert doctest.testmod(module).failed == 0

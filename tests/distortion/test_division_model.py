@@ -1,9 +1,7 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib.distortion import distort_division, division_model, undistort_division
+from course_lib.distortion import distort_division, undistort_division
 
 POINTS = np.random.default_rng(8).uniform(-0.6, 0.6, (60, 2))
 
@@ -46,7 +44,3 @@ class TestDivision:
                 function([0.1, 0], [-0.1, 0])
             with pytest.raises(ValueError, match="which no lens has"):
                 function([0.1, 0], 1e40)
-
-
-def test_examples_run():
-    assert doctest.testmod(division_model).failed == 0

@@ -1,9 +1,7 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib.distortion import fisheye, fisheye_project, fisheye_ray, fisheye_valid_angle
+from course_lib.distortion import fisheye_project, fisheye_ray, fisheye_valid_angle
 
 K = np.array([[300.0, 2, 330], [0, 295, 250], [0, 0, 1]])
 LENS = [-0.02, 0.004, -0.001, 0.0001]
@@ -84,7 +82,3 @@ class TestValidAngle:
             falls = np.diff(distance) <= 0
             scanned = angle[falls.argmax()] if falls.any() else np.pi
             assert fisheye_valid_angle(k) == pytest.approx(scanned, abs=1e-4)
-
-
-def test_examples_run():
-    assert doctest.testmod(fisheye).failed == 0

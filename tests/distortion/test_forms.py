@@ -1,7 +1,5 @@
 """The same lens in other words."""
 
-import doctest
-
 import numpy as np
 import pytest
 
@@ -18,8 +16,6 @@ from course_lib.distortion import (
     radial_correction,
     valid_radius,
 )
-from course_lib.distortion import forms as distortion_forms
-from course_lib.distortion import series as distortion_series
 
 BROWN = np.array([-0.3, 0.12, 0.001, -0.0008, -0.02])
 POINTS = np.random.default_rng(6).uniform(-0.6, 0.6, (40, 2))
@@ -137,8 +133,3 @@ class TestCorrection:
                 radial_correction([-0.3], radius)
         with pytest.raises(ValueError, match="terms must be 1 to 10, got 0"):
             radial_correction([-0.3], 0.5, terms=0)
-
-
-@pytest.mark.parametrize("module", [distortion_forms, distortion_series])
-def test_examples_run(module):
-    assert doctest.testmod(module).failed == 0

@@ -1,18 +1,14 @@
 """Distortion undone: strong lenses, the fold, and what no lens images."""
 
-import doctest
-
 import numpy as np
 import pytest
 
 from course_lib.distortion import (
     distort,
     distortion_jacobian,
-    monotone,
     undistort_points,
     valid_radius,
 )
-from course_lib.distortion import inverse as distortion_inverse
 from course_lib.distortion.inverse import CHUNK, radial_guess
 from course_lib.distortion.monotone import invert_increasing, smallest_positive_root
 
@@ -178,8 +174,3 @@ class TestMonotone:
     def test_out_of_reach(self):
         got = invert_increasing(np.array([0.5, 2.0]), lambda x: x, np.ones_like, 1)
         np.testing.assert_array_equal(got, [0.5, np.nan])
-
-
-@pytest.mark.parametrize("module", [distortion_inverse, monotone])
-def test_examples_run(module):
-    assert doctest.testmod(module).failed == 0

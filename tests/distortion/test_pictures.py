@@ -1,11 +1,8 @@
 """Displacement fields, maps, and pictures made straight."""
 
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib import remapping
 from course_lib.distortion import (
     displacement_field,
     distort_pixels,
@@ -15,7 +12,6 @@ from course_lib.distortion import (
     undistortion_map,
     valid_radius,
 )
-from course_lib.distortion import pictures as distortion_pictures
 from course_lib.remapping import packed_map, remap, undistort_picture
 
 K = np.array([[300.0, 1, 155], [0, 290, 125], [0, 0, 1]])
@@ -191,8 +187,3 @@ class TestUndistortPicture:
         ).any()
         np.testing.assert_array_equal(undistort_picture(image, small, [-0.3, 0]), first)
         np.testing.assert_array_equal(undistort_picture(image, small, [0]), image)
-
-
-@pytest.mark.parametrize("module", [distortion_pictures, remapping])
-def test_examples_run(module):
-    assert doctest.testmod(module).failed == 0

@@ -1,5 +1,3 @@
-import doctest
-
 import numpy as np
 import pytest
 
@@ -7,7 +5,6 @@ from course_lib.checks import DegenerateConfigurationError
 from course_lib.distortion import (
     distort_pixels,
     distortion_from_lines,
-    plumb_line,
     straightness,
     undistort_pixels,
 )
@@ -121,7 +118,3 @@ class TestFromLines:
             distortion_from_lines([lines[0][:3]], K)
         with pytest.raises(ValueError, match="one or more lines"):
             distortion_from_lines([], K)
-
-
-def test_examples_run():
-    assert doctest.testmod(plumb_line).failed == 0

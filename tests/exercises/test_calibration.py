@@ -1,7 +1,5 @@
 """Chapter 07 written out plainly gives what the library gives."""
 
-import doctest
-
 import numpy as np
 import pytest
 
@@ -70,10 +68,3 @@ def test_the_steps_make_a_calibration():
         seen = plain_refinement.reprojection_residuals(board, nothing, K, R, t, np.zeros(2))
         left = plain_refinement.reprojection_residuals(board, seen, found, *pose, np.zeros(2))
         assert plain_refinement.rms_error(left) < 1e-3
-
-
-@pytest.mark.parametrize("module", [plain, plain_refinement])
-def test_examples(module):
-    results = doctest.testmod(module)
-    assert results.attempted >= 8
-    assert results.failed == 0

@@ -1,7 +1,5 @@
 """Chapter 05 written out plainly gives what the library gives."""
 
-import doctest
-
 import numpy as np
 import pytest
 
@@ -63,7 +61,3 @@ def test_inverse_iteration_settles_for_all_lenses_that_are_posed(rng):
         known = draw(rng)
         error = np.abs(plain.undistort_points(**known.inputs) - known.truth).max()
         assert error < 1e-8  # a tenth of what the exercise allows
-
-
-def test_examples():
-    assert doctest.testmod(plain).failed == 0

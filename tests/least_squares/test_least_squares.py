@@ -1,9 +1,6 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib import least_squares
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.least_squares import (
     fit_affine,
@@ -257,8 +254,3 @@ class TestRobust:
             solve_robust(np.eye(2), [1, 2], threshold=0)
         with pytest.raises(ValueError, match="one number for each row"):
             solve_robust(np.eye(2), np.eye(2))
-
-
-@pytest.mark.parametrize("name", ["fits", "linear", "marquardt", "robust"])
-def test_examples_run(name):
-    assert doctest.testmod(getattr(least_squares, name)).failed == 0

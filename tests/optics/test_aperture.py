@@ -1,10 +1,7 @@
-import doctest
-
 import numpy as np
 import pytest
 
 from course_lib.optics import (
-    aperture,
     aperture_diameter,
     f_number,
     image_distance,
@@ -57,7 +54,3 @@ def test_round_trip():
     N = np.array([1.4, 2, 2.8, 4])
     np.testing.assert_allclose(f_number(85, aperture_diameter(85, N)), N)
     np.testing.assert_allclose(stops_between(N, 4), -stops_between(4, N))
-
-
-def test_examples_run():
-    assert doctest.testmod(aperture).failed == 0

@@ -1,11 +1,8 @@
-import doctest
-
 import numpy as np
 import pytest
 
 from course_lib.optics import (
     airy_diameter,
-    aperture_choice,
     aperture_for_depth,
     apertures_for_limits,
     circle_of_confusion,
@@ -108,7 +105,3 @@ class TestSharpest:
         best = sharpest_f_number(1100, np.inf, 50, 0.00055)
         blur = circle_of_confusion(1100, np.inf, 50, best)
         assert blur == pytest.approx(airy_diameter(0.00055, best))
-
-
-def test_examples_run():
-    assert doctest.testmod(aperture_choice).failed == 0

@@ -1,9 +1,7 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib.optics import airy_diameter, diffraction, is_diffraction_limited
+from course_lib.optics import airy_diameter, is_diffraction_limited
 
 
 @pytest.mark.parametrize("bad", [0, -1, np.nan, np.inf])
@@ -45,7 +43,3 @@ def test_unit_does_not_matter():
 def test_red_light_is_limited_first():
     assert is_diffraction_limited(3.5, 0.00065, 0.005)
     assert not is_diffraction_limited(3.5, 0.00045, 0.005)
-
-
-def test_examples_run():
-    assert doctest.testmod(diffraction).failed == 0

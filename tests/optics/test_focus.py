@@ -1,7 +1,5 @@
 """Blur and depth of field against traced rays, against each other and against published numbers."""
 
-import doctest
-
 import numpy as np
 import pytest
 
@@ -10,7 +8,6 @@ from course_lib.optics import (
     closeup_depth_of_field,
     depth_of_field,
     depth_of_field_approximate,
-    focus,
     hyperfocal_distance,
     magnification,
     object_distance,
@@ -180,7 +177,3 @@ class TestCloseup:
         assert magnification(50, Z) == pytest.approx(1 / 20)
         near, far = depth_of_field(50, 16, Z, 0.038)
         assert round(float(far - near)) == 543
-
-
-def test_examples_run():
-    assert doctest.testmod(focus).failed == 0

@@ -1,13 +1,10 @@
 """The thin lens against the two rays that one draws at school, and against published numbers."""
 
-import doctest
-
 import numpy as np
 import pytest
 
 from course_lib.optics import (
     image_distance,
-    lens_equation,
     magnification,
     object_distance,
     optical_power,
@@ -89,7 +86,3 @@ def test_round_trip():
     np.testing.assert_allclose(object_distance(50, magnification(50, Z)), Z)
     # An object in the place of its image has its image in the place of the object.
     np.testing.assert_allclose(image_distance(50, image_distance(50, Z)), Z)
-
-
-def test_examples_run():
-    assert doctest.testmod(lens_equation).failed == 0

@@ -1,8 +1,6 @@
-import doctest
-
 import pytest
 
-from course_lib.optics import lens_names, parse_lens_name
+from course_lib.optics import parse_lens_name
 
 NAMES = {
     "Nikkor 18-140 mm 1:3.5-5.6": ((18, 140), (3.5, 5.6)),  # published
@@ -51,7 +49,3 @@ def test_errors(name, words):
 def test_errors_of_type(bad):
     with pytest.raises(TypeError, match="name must be a text, got"):
         parse_lens_name(bad)
-
-
-def test_examples_run():
-    assert doctest.testmod(lens_names).failed == 0

@@ -1,7 +1,5 @@
 """Two lenses and more against the textbook's closed form, and against traced rays."""
 
-import doctest
-
 import numpy as np
 import pytest
 
@@ -12,7 +10,6 @@ from course_lib.optics import (
     image_distance,
     image_of_point,
     lens_system,
-    lens_systems,
     system_matrix,
     thin_lens,
     trace_rays,
@@ -115,7 +112,3 @@ class TestTwoLensZoom:
             two_lens_zoom(100, 60, 20)
         with pytest.raises(ValueError, match="f must be positive"):
             two_lens_zoom(100, 60, -20)
-
-
-def test_examples_run():
-    assert doctest.testmod(lens_systems).failed == 0

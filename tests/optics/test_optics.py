@@ -1,11 +1,8 @@
-import doctest
-
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from course_lib import optics
 from course_lib.optics import (
     airy_diameter,
     best_pinhole_diameter,
@@ -140,7 +137,3 @@ class TestDiffraction:
         # At the best hole both blurs are equally large.
         best = best_pinhole_diameter(image_distance, wavelength)
         np.testing.assert_allclose(airy_diameter(wavelength, image_distance / best), best)
-
-
-def test_examples_run():
-    assert doctest.testmod(optics.hole).failed == 0

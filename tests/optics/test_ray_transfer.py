@@ -1,7 +1,5 @@
 """Ray transfer matrices against rays that are traced step by step, without a matrix."""
 
-import doctest
-
 import numpy as np
 import pytest
 
@@ -10,7 +8,6 @@ from course_lib.optics import (
     image_distance,
     image_of_point,
     magnification,
-    ray_transfer,
     system_matrix,
     thin_lens,
     trace_rays,
@@ -112,7 +109,3 @@ class TestImageOfPoint:
         fan = [(2.0, angle) for angle in np.linspace(-0.03, 0.03, 7)]
         path = trace_rays([free_space(2000), *ELEMENTS[1:4], free_space(distance)], fan)
         np.testing.assert_allclose(path[-1, :, 0], 2 * m, rtol=1e-12)
-
-
-def test_examples_run():
-    assert doctest.testmod(ray_transfer).failed == 0

@@ -1,16 +1,13 @@
-import doctest
 from functools import partial
 
 import numpy as np
 import pytest
 
 from course_lib.resection import (
-    correction,
     correction_from_polynomial,
     correction_from_table,
     correction_table,
     hold_out,
-    learned_correction,
     polynomial_correction,
 )
 
@@ -163,8 +160,3 @@ class TestHoldOut:
     def test_errors(self):
         with pytest.raises(ValueError, match="parts must be from 2 to 5"):
             hold_out(partial(by_table, (2, 2)), *measured(count=5), 6, np.random.default_rng(1))
-
-
-@pytest.mark.parametrize("module", [correction, learned_correction])
-def test_examples_run(module):
-    assert doctest.testmod(module).failed == 0

@@ -1,10 +1,8 @@
-import doctest
 from itertools import combinations
 
 import numpy as np
 import pytest
 
-from course_lib.sensor import exposure
 from course_lib.sensor.exposure import (
     decibels,
     equivalent_exposure,
@@ -124,7 +122,3 @@ class TestLight:
 def test_units_of_ratios():
     assert stops(4096) == 12
     assert decibels(4096) == pytest.approx(72.25, abs=0.005)
-
-
-def test_examples_run():
-    assert doctest.testmod(exposure).failed == 0

@@ -1,9 +1,6 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib.sensor import falloff
 from course_lib.sensor.falloff import lateral_chromatic_shift, mechanical_vignetting, vignetting
 
 
@@ -70,7 +67,3 @@ class TestChromaticShift:
             lateral_chromatic_shift((1, 2, 3), 1.01, (0, 0))
         with pytest.raises(ValueError, match="scale must be positive"):
             lateral_chromatic_shift((1, 2), 0, (0, 0))
-
-
-def test_examples_run():
-    assert doctest.testmod(falloff).failed == 0

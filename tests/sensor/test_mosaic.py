@@ -1,9 +1,6 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib.sensor import mosaic
 from course_lib.sensor.mosaic import bayer_masks, bayer_mosaic, demosaic_bilinear
 
 PATTERNS = ["RGGB", "BGGR", "GRBG", "GBRG"]
@@ -93,7 +90,3 @@ class TestDemosaic:
                 demosaic_bilinear(np.ones(shape))
         with pytest.raises(ValueError, match=r"got shape \(2, 2, 3\)"):
             demosaic_bilinear(np.ones((2, 2, 3)))
-
-
-def test_examples_run():
-    assert doctest.testmod(mosaic).failed == 0

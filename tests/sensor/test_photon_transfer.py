@@ -1,10 +1,7 @@
-import doctest
-
 import numpy as np
 import pytest
 
 from course_lib.checks import DegenerateConfigurationError
-from course_lib.sensor import photon_transfer
 from course_lib.sensor.detector import expose
 from course_lib.sensor.photon_transfer import (
     camera_gain_from_pairs,
@@ -183,7 +180,3 @@ class TestFlatField:
             flat_field(flat, dark[:1], flat)
         with pytest.raises(ValueError, match=r"in 6 of 6 values: .* exchanged"):
             flat_field(flat, flat, dark)
-
-
-def test_examples_run():
-    assert doctest.testmod(photon_transfer).failed == 0

@@ -1,9 +1,6 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib.sensor import shutter
 from course_lib.sensor.shutter import fastest_speed, motion_blur_pixels, rolling_shutter_skew
 
 FUNCTIONS = {
@@ -52,7 +49,3 @@ class TestRollingShutter:
         rows, row_time = 400, 5e-5
         seen = [100 + speed * row * row_time for row in range(rows + 1)]
         assert rolling_shutter_skew(speed, row_time, rows) == pytest.approx(seen[-1] - seen[0])
-
-
-def test_examples_run():
-    assert doctest.testmod(shutter).failed == 0

@@ -1,9 +1,6 @@
-import doctest
-
 import numpy as np
 import pytest
 
-from course_lib.sensor import tone
 from course_lib.sensor.tone import (
     grey_from_rgb,
     hsv_from_rgb,
@@ -74,7 +71,3 @@ class TestColours:
         bright, dim = hsv_from_rgb(colours()), hsv_from_rgb(0.3 * colours())
         np.testing.assert_allclose(dim[..., :2], bright[..., :2], atol=1e-9)
         np.testing.assert_allclose(dim[..., 2], 0.3 * bright[..., 2])
-
-
-def test_examples_run():
-    assert doctest.testmod(tone).failed == 0
