@@ -33,7 +33,8 @@ def triangulate_linear(pixels: ArrayLike, cameras: ArrayLike) -> Array:
 
     A view with the camera matrix of rows p1, p2, p3 gives the equations ``(u p3 - p1) X = 0`` and
     ``(v p3 - p2) X = 0``. Of all homogeneous points X of length 1, the one is taken for which the
-    errors are smallest. They have no meaning; for the best answer go on with `refine_point`.
+    errors are smallest: pixels times depth, so that a far camera counts more than it should. For
+    the best answer go on with `refine_point`.
 
     Parameters
     ----------
@@ -183,7 +184,9 @@ def check_cameras(cameras: ArrayLike) -> Array:
             f"cameras must be two or more camera matrices, shape (V, 3, 4), got {P.shape}"
         )
     P = np.stack([check_finite_camera(one) for one in P])
-    P *= np.sign(np.linalg.det(P[:, :, :3]))[:, None, None]
+    # Third rows of length 1: then w is the depth, and no camera counts for the size of its matrix.
+    size = np.sign(np.linalg.det(P[:, :, :3])) * np.linalg.norm(P[:, 2, :3], axis=1)
+    P /= size[:, None, None]
     centres = -np.linalg.solve(P[:, :, :3], P[:, :, 3:])[..., 0]
     farthest = int(np.argmax(np.abs(centres - centres[0]).max(axis=1)))
     check_apart(centres[0], centres[farthest])

@@ -51,6 +51,17 @@ def test_exact_pixels_give_the_points_back(seed):
     np.testing.assert_allclose(triangulate_linear(pixels[:, 0], cameras), s.points[0], rtol=1e-7)
 
 
+def test_the_linear_answer_depends_neither_on_the_origin_nor_on_the_size_of_a_matrix():
+    near, far = (camera_at(eye, [0, 0, 0], K, (640, 480)) for eye in ([0, -1, 0], [10, 0, 0]))
+    pixels = np.stack([near.project([0, 0, 0]) + [0.6, -0.8], far.project([0, 0, 0]) + [0.3, 0.9]])
+    found = triangulate_linear(pixels, [near.P, far.P])
+    sized = triangulate_linear(pixels, [-3 * near.P, 70 * far.P])
+    np.testing.assert_allclose(sized, found, atol=1e-12)
+    away = np.array([100.0, 50, 20])
+    moved = [camera_matrix(K, one.R, one.t - one.R @ away) for one in (near, far)]
+    np.testing.assert_allclose(triangulate_linear(pixels, moved) - away, found, atol=1e-6)
+
+
 def test_many_blocks_are_put_together():
     points = np.random.default_rng(0).uniform((-2, -2, 4), (2, 2, 9), (10_000, 3))
     found = triangulate(*views(PAIR, points), *PAIR)
