@@ -16,7 +16,7 @@ from course_lib.epipolar.five_point import five_point
 from course_lib.epipolar.fundamental import eight_point, seven_point
 from course_lib.epipolar.lines import (
     epipolar_lines,
-    epipoles,
+    epipole,
     line_distance,
     sampson_error,
     symmetric_distance,
@@ -37,6 +37,7 @@ from course_lib.epipolar.robust import (
     refine_fundamental,
 )
 from course_lib.epipolar.search import ransac_iterations
+from course_lib.transforms import skew
 
 __all__ = [
     "Rectification",
@@ -44,7 +45,7 @@ __all__ = [
     "RobustPose",
     "eight_point",
     "epipolar_lines",
-    "epipoles",
+    "epipole",
     "essential_from_fundamental",
     "essential_from_pose",
     "find_degeneracy",
@@ -65,5 +66,6 @@ __all__ = [
     "relative_pose",
     "sampson_error",
     "seven_point",
+    "skew",
     "symmetric_distance",
 ]

@@ -16,10 +16,12 @@ from course_lib.checks import (
 )
 from course_lib.correspondences import check_correspondences
 from course_lib.epipolar.matrices import check_two_view, unit
-from course_lib.homogeneous import to_homogeneous
+from course_lib.homogeneous import from_homogeneous, to_homogeneous
 
 #: A second singular value that is zero but for rounding, as a share of the first.
 RANK_ONE = 1e-12
+#: A last number that is zero but for rounding, of a homogeneous point of length 1.
+INFINITELY_FAR = 1e-12
 
 
 def epipolar_lines(points: ArrayLike, F: ArrayLike) -> Array:
@@ -69,8 +71,10 @@ def epipolar_lines(points: ArrayLike, F: ArrayLike) -> Array:
     return np.asarray(lines / length)
 
 
-def epipoles(F: ArrayLike) -> tuple[Array, Array]:
-    """Return where each camera is seen by the other one.
+def epipole(F: ArrayLike) -> Array:
+    """Return where picture 1 shows camera 2: the point that all its epipolar lines share.
+
+    For the epipole of picture 2, where it shows camera 1, give ``F.T``.
 
     Parameters
     ----------
@@ -79,11 +83,9 @@ def epipoles(F: ArrayLike) -> tuple[Array, Array]:
 
     Returns
     -------
-    e1 : ndarray, shape (3,)
-        Image of camera 2 in picture 1, ``F e1 = 0``, homogeneous and of length 1. Its last number
-        is not negative; it is zero if the epipole is at infinity.
-    e2 : ndarray, shape (3,)
-        Image of camera 1 in picture 2, ``Fᵀ e2 = 0``, in the same way.
+    ndarray, shape (2,)
+        Pixel e1 with ``F (u, v, 1)ᵀ = 0``, in the picture or outside of it. NaN if the epipole is
+        at infinity (to twelve digits): then the lines are parallel.
 
     Raises
     ------
@@ -98,19 +100,19 @@ def epipoles(F: ArrayLike) -> tuple[Array, Array]:
 
     Examples
     --------
-    >>> epipoles([[0, -1, 50], [1, 0, -60], [-50, 60, 0]])[0].round(4)  # the pixel (60, 50)
-    array([0.7682, 0.6401, 0.0128])
+    >>> epipole([[0, -1, 50], [1, 0, -60], [-50, 60, 0]]).round(9)
+    array([60., 50.])
     """
-    U, s, Vt = np.linalg.svd(unit(check_two_view(F)))
+    e = homogeneous_epipole(F)
+    return from_homogeneous(e * [1, 1, e[2] > INFINITELY_FAR])
+
+
+def homogeneous_epipole(F: ArrayLike) -> Array:
+    """Return ``F e1 = 0``, of length 1; its last number is not negative, and zero at infinity."""
+    _, s, Vt = np.linalg.svd(unit(check_two_view(F)))
     if s[1] <= RANK_ONE * s[0]:
         raise DegenerateConfigurationError("F has rank 1: a whole line would be its epipole")
-    e1, e2 = Vt[2], U[:, 2]
-    return _upright(e1), _upright(e2)
-
-
-def _upright(e: Array) -> Array:
-    """Return a homogeneous point with the sign that makes its last number positive."""
-    return np.asarray(-e if e[2] < 0 else e)
+    return np.asarray(-Vt[2] if Vt[2, 2] < 0 else Vt[2])
 
 
 def line_distance(points: ArrayLike, lines: ArrayLike) -> Array:

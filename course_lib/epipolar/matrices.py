@@ -20,7 +20,7 @@ from course_lib.checks import (
     check_vector,
 )
 from course_lib.transforms.poses import compose, invert_pose
-from course_lib.transforms.rotations import cross_matrix
+from course_lib.transforms.rotations import skew
 
 #: A baseline that is rounding, as a share of the numbers it is the difference of.
 NO_BASELINE = 1e-12
@@ -100,7 +100,7 @@ def essential_from_pose(R: ArrayLike, t: ArrayLike) -> Array:
     R, t = check_rotation(R), check_vector(t, 3, "t")
     if not np.abs(t).max() > 0:
         raise DegenerateConfigurationError(SAME_PLACE)
-    return cross_matrix(t) @ R
+    return skew(t) @ R
 
 
 def transfer_and_epipole(P1: ArrayLike, P2: ArrayLike) -> tuple[Array, Array, Array, Array]:
@@ -179,7 +179,7 @@ def fundamental_from_cameras(P1: ArrayLike, P2: ArrayLike) -> Array:
     np.float64(0.0)
     """
     A, e, _, _ = transfer_and_epipole(P1, P2)
-    return unit(cross_matrix(e / np.abs(e).max()) @ A)
+    return unit(skew(e / np.abs(e).max()) @ A)
 
 
 def fundamental_from_essential(E: ArrayLike, K1: ArrayLike, K2: ArrayLike) -> Array:

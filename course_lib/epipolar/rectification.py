@@ -18,11 +18,11 @@ from course_lib.checks import (
     check_size,
     check_vector,
 )
-from course_lib.epipolar.lines import check_pairs, epipoles
+from course_lib.epipolar.lines import check_pairs, homogeneous_epipole
 from course_lib.epipolar.matrices import SAME_PLACE, check_two_view, unit
 from course_lib.homogeneous import apply_homography, to_homogeneous
 from course_lib.least_squares.linear import solve_qr
-from course_lib.transforms.rotations import cross_matrix
+from course_lib.transforms.rotations import skew
 
 INSIDE = (
     "an epipole is in the picture (one camera is in front of the other): no turn makes all "
@@ -189,14 +189,14 @@ def rectify_uncalibrated(
     points1, points2 = check_pairs(points1, points2, least=3)
     F = unit(check_two_view(F))
     size = check_size(image_size, "image_size")
-    for e in epipoles(F):
+    e1, e2 = homogeneous_epipole(F), homogeneous_epipole(F.T)
+    for e in (e1, e2):
         u, v = e[:2] + 0.5 * e[2]
         if 0 <= u <= size[0] * e[2] and 0 <= v <= size[1] * e[2]:
             raise DegenerateConfigurationError(INSIDE)
-    e2 = epipoles(F)[1]
     H2 = _epipole_to_side(e2, (size - 1) / 2)
     # All homographies that fit are H2 M and what shifts and stretches rows: M = [e]ₓ F + e vᵀ.
-    M = cross_matrix(e2) @ F + np.outer(e2, np.ones(3))
+    M = skew(e2) @ F + np.outer(e2, np.ones(3))
     H0 = H2 @ M
     near1, near2 = apply_homography(points1, H0), apply_homography(points2, H2)
     stretch = np.eye(3)

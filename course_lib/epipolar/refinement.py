@@ -11,10 +11,10 @@ from typing import Any, NamedTuple, Protocol, Self, TypeVar
 import numpy as np
 
 from course_lib.checks import Array
-from course_lib.transforms.rotations import cross_matrix
+from course_lib.transforms.rotations import skew
 
 #: The matrices that multiply like cross products with the axes, shape (3, 3, 3).
-AXES = np.array([cross_matrix(axis) for axis in np.eye(3)])
+AXES = np.array([skew(axis) for axis in np.eye(3)])
 #: How dense errors of wrong pairs are about zero, in units in which a picture is about 3 wide.
 WRONG_DENSITY = 0.5
 #: No measured pixel has a smaller error (in units in which a picture is about 3 wide).
@@ -110,12 +110,12 @@ class PosedPair:
     @property
     def matrix(self) -> Array:
         """The fundamental matrix, shape (3, 3)."""
-        return np.asarray(self.left @ cross_matrix(self.t) @ self.R @ self.right)
+        return np.asarray(self.left @ skew(self.t) @ self.R @ self.right)
 
     @property
     def directions(self) -> Array:
         """Its derivatives by each unknown, shape (5, 3, 3)."""
-        turns = cross_matrix(self.t) @ AXES @ self.R
+        turns = skew(self.t) @ AXES @ self.R
         shifts = np.tensordot(self._tangents, AXES, 1) @ self.R
         return np.asarray(self.left @ np.concatenate([turns, shifts]) @ self.right)
 

@@ -33,18 +33,17 @@ from course_lib.transforms.poses import (
 )
 from course_lib.transforms.quaternions import quaternion_from_rotation, rotation_from_quaternion
 from course_lib.transforms.rotations import (
-    cross_matrix,
     rotation_about_axis,
     rotation_x,
     rotation_y,
     rotation_z,
+    skew,
 )
 
 __all__ = [
     "camera_centre",
     "check_rotation",
     "compose",
-    "cross_matrix",
     "cv_from_graphics_camera",
     "euler_from_rotation",
     "gimbal_pose",
@@ -64,6 +63,7 @@ __all__ = [
     "rotation_x",
     "rotation_y",
     "rotation_z",
+    "skew",
     "transform_points",
     "twist_from_pose",
     "vector_from_rotation",

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from course_lib.checks import SMALLEST, Array, check_vector
 from course_lib.transforms.quaternions import quaternion_from_rotation
-from course_lib.transforms.rotations import cross_matrix, rotation_about_axis
+from course_lib.transforms.rotations import rotation_about_axis, skew
 
 
 def rotation_from_vector(vector: ArrayLike) -> Array:
@@ -154,7 +154,7 @@ def twist_from_pose(R: ArrayLike, t: ArrayLike) -> tuple[Array, Array]:
 def _average_rotation(vector: Array) -> Array:
     """Return the mean of exp(s [v]ₓ) for s from 0 to 1, the left Jacobian of SO(3)."""
     angle = np.linalg.norm(vector)
-    k = cross_matrix(vector)
+    k = skew(vector)
     # (1 - cos a) / a² without its cancellation, and (a - sin a) / a³ with its limit at 0.
     first = 0.5 * np.sinc(angle / (2 * np.pi)) ** 2
     second = (angle - np.sin(angle)) / angle**3 if angle > 1e-4 else 1 / 6

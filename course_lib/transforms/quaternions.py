@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.checks import Array, check_direction, check_rotation
-from course_lib.transforms.rotations import cross_matrix
+from course_lib.transforms.rotations import skew
 
 
 def rotation_from_quaternion(quaternion: ArrayLike) -> Array:
@@ -43,7 +43,7 @@ def rotation_from_quaternion(quaternion: ArrayLike) -> Array:
     """
     quaternion = check_direction(quaternion, "quaternion", 4)
     w, *xyz = quaternion / np.linalg.norm(quaternion)
-    k = cross_matrix(xyz)
+    k = skew(xyz)
     return np.asarray(np.eye(3) + 2 * (w * k + k @ k))
 
 

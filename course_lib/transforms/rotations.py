@@ -116,8 +116,8 @@ def rotation_z(angle: float) -> Array:
     return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
 
 
-def cross_matrix(v: ArrayLike) -> Array:
-    """Return the matrix that multiplies like a cross product, ``cross_matrix(v) @ x = v × x``.
+def skew(v: ArrayLike) -> Array:
+    """Return the matrix that multiplies like a cross product, ``skew(v) @ x = v × x``.
 
     Parameters
     ----------
@@ -140,7 +140,7 @@ def cross_matrix(v: ArrayLike) -> Array:
 
     Examples
     --------
-    >>> cross_matrix([1, 0, 0]) @ [0, 1, 0]
+    >>> skew([1, 0, 0]) @ [0, 1, 0]
     array([0., 0., 1.])
     """
     x, y, z = check_vector(v, 3, "v")
@@ -177,5 +177,5 @@ def rotation_about_axis(axis: ArrayLike, angle: float) -> Array:
     array([0., 1., 0.])
     """
     axis, angle = check_direction(axis, "axis"), check_number(angle, "angle")
-    k = cross_matrix(axis / np.linalg.norm(axis))
+    k = skew(axis / np.linalg.norm(axis))
     return np.eye(3) + math.sin(angle) * k + (1 - math.cos(angle)) * k @ k

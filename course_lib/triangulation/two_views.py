@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from course_lib.checks import Array, DegenerateConfigurationError, check_points
 from course_lib.epipolar.matrices import transfer_and_epipole
-from course_lib.transforms.rotations import cross_matrix
+from course_lib.transforms.rotations import skew
 
 #: So many points are worked on together: their intermediate results stay in the cache.
 BLOCK = 4096
@@ -62,7 +62,7 @@ def triangulate(points1: ArrayLike, points2: ArrayLike, P1: ArrayLike, P2: Array
             f"points1 and points2 belong together row by row, got {one.shape} and {other.shape}"
         )
     A, e, centre, back = transfer_and_epipole(P1, P2)
-    F = cross_matrix(e) @ A
+    F = skew(e) @ A
     F /= np.abs(F).max() or 1
     flat1, flat2 = one.reshape(-1, 2), other.reshape(-1, 2)
     found = np.empty((len(flat1), 3))

@@ -23,7 +23,7 @@ from course_lib.epipolar.fundamental import common_scale, seven_point_samples
 from course_lib.epipolar.matrices import unit
 from course_lib.epipolar.polynomials import real_roots_of_cubics
 from course_lib.epipolar.refinement import PosedPair, RankTwo, linearised
-from course_lib.transforms import cross_matrix, rotation_z
+from course_lib.transforms import rotation_z, skew
 
 
 def rms(F, s):
@@ -164,7 +164,7 @@ def test_a_few_wrong_pairs_do_not_hide_a_plane():
         (lambda s, p: eight_point(s.points1 * [1, 0], s.points2), "points1 are collinear"),
         (lambda s, p: five_point(s.points1[[0] * 5], s.points2[[0] * 5]), "dependent"),
         (
-            lambda s, p: pose_from_essential(cross_matrix([1, 0, 0]), [[0, 0]], [[0, 0]]),
+            lambda s, p: pose_from_essential(skew([1, 0, 0]), [[0, 0]], [[0, 0]]),
             "do not tell",
         ),
     ],

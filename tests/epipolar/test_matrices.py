@@ -8,7 +8,7 @@ from course_lib.camera import camera_at, project
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.epipolar import (
     epipolar_lines,
-    epipoles,
+    epipole,
     essential_from_fundamental,
     essential_from_pose,
     fundamental_from_cameras,
@@ -61,12 +61,20 @@ def test_any_world_frame_gives_the_same_matrices():
 def test_epipoles_are_the_images_of_the_cameras():
     one = camera_at([0, -10, 0], [0, 0, 0], K, SIZE)
     other = camera_at([2, -4, 1], [0, 0, 0], K, SIZE)
-    e1, e2 = epipoles(fundamental_from_cameras(one.P, other.P))
-    np.testing.assert_allclose(from_homogeneous(e1), project(other.centre, one.P), atol=1e-6)
+    F = fundamental_from_cameras(one.P, other.P)
+    np.testing.assert_allclose(epipole(F), project(other.centre, one.P), atol=1e-6)
     behind = to_homogeneous(one.centre) @ other.P.T  # no picture shows it, but lines meet there
-    np.testing.assert_allclose(from_homogeneous(e2), from_homogeneous(behind), atol=1e-6)
-    assert e1[2] > 0
-    assert e2[2] > 0
+    np.testing.assert_allclose(epipole(F.T), from_homogeneous(behind), atol=1e-6)
+
+
+def test_epipole_of_a_shift_to_the_side_is_at_infinity():
+    s = scene(3)
+    aside = K @ np.column_stack([np.eye(3), [-1.0, 0, 0]])
+    F = fundamental_from_cameras(s.P1, aside)
+    assert np.isnan(epipole(F)).all()
+    assert np.isnan(epipole(F.T)).all()
+    nearly = K @ np.column_stack([np.eye(3), [-1.0, 0, 1e-9]])
+    assert epipole(fundamental_from_cameras(s.P1, nearly)) @ [1, 0] < -1e11
 
 
 def test_lines_pass_through_partners_and_epipole():
@@ -75,7 +83,7 @@ def test_lines_pass_through_partners_and_epipole():
     lines = epipolar_lines(s.exact1, F)
     np.testing.assert_allclose(np.hypot(lines[:, 0], lines[:, 1]), 1, rtol=1e-12)
     np.testing.assert_allclose(line_distance(s.exact2, lines), 0, atol=1e-8)
-    np.testing.assert_allclose(lines @ epipoles(F)[1], 0, atol=1e-9)
+    np.testing.assert_allclose(lines @ to_homogeneous(epipole(F.T)), 0, atol=1e-6)
     np.testing.assert_allclose(line_distance(s.exact1, epipolar_lines(s.exact2, F.T)), 0, atol=1e-8)
     assert epipolar_lines(s.exact1[0], F).shape == (3,)
 
@@ -111,7 +119,7 @@ def test_sampson_error_is_nearly_the_shift_that_is_needed():
     [
         (lambda: essential_from_pose(np.eye(3), [0, 0, 0]), "same place"),
         (lambda: fundamental_from_cameras(np.eye(3, 4), 2 * np.eye(3, 4)), "same place"),
-        (lambda: epipoles(np.diag([1, 0, 0])), "rank 1"),
+        (lambda: epipole(np.diag([1, 0, 0])), "rank 1"),
         (lambda: epipolar_lines([5, 5], [[0, -1, 5], [1, 0, -5], [-5, 5, 0]]), "the epipole"),
     ],
 )
@@ -124,7 +132,7 @@ def test_degenerate_geometry_is_named(call, words):
     ("call", "words"),
     [
         (lambda: essential_from_pose(np.diag([1, 1, -1]), [1, 0, 0]), "reflection"),
-        (lambda: epipoles(np.zeros((3, 3))), "F is zero"),
+        (lambda: epipole(np.zeros((3, 3))), "F is zero"),
         (lambda: epipolar_lines([[1, 2, 3]], np.eye(3)), r"points must have shape \(N, 2\)"),
         (lambda: line_distance([[1, 2]] * 3, [[1, 2, 3]] * 2), "each point needs a line"),
         (lambda: line_distance([1, 2], [0, 0, 3]), "infinity"),

@@ -54,7 +54,8 @@ ARGUMENTS = {
     "fundamental_from_essential": joined(matrix, intrinsics, intrinsics),
     "essential_from_fundamental": joined(matrix, intrinsics, intrinsics),
     "epipolar_lines": joined(rows_of(3, 2), matrix),
-    "epipoles": joined(matrix),
+    "epipole": joined(matrix),
+    "skew": joined(vector(3)),
     "line_distance": joined(rows_of(3, 2), rows_of(3, 3)),
     "symmetric_distance": joined(pairs(1), matrix),
     "sampson_error": joined(pairs(1), matrix),
@@ -84,7 +85,7 @@ ARGUMENTS = {
 }
 HOMES = epipolar, triangulation
 #: Answers that may hold NaN or infinity, as their docstrings say.
-OPEN_ENDED = {"pair_depths", "intersect_ray_plane"}
+OPEN_ENDED = {"pair_depths", "epipole", "intersect_ray_plane"}
 
 
 def found(name):

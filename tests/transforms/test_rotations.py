@@ -6,7 +6,6 @@ import pytest
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.transforms import (
     check_rotation,
-    skew,
     euler_from_rotation,
     omega_phi_kappa_from_rotation,
     pose_from_twist,
@@ -19,6 +18,7 @@ from course_lib.transforms import (
     rotation_x,
     rotation_y,
     rotation_z,
+    skew,
     twist_from_pose,
     vector_from_rotation,
 )
@@ -83,7 +83,7 @@ class TestAxisAndAngle:
             there, back = rotation_about_axis(axis, 0.9), rotation_about_axis(-axis, 0.9)
             np.testing.assert_allclose(there @ back, np.eye(3), atol=1e-15)
 
-    def test_cross_matrix_multiplies(self):
+    def test_skew_multiplies(self):
         a, b = np.random.default_rng(1).normal(size=(2, 3))
         np.testing.assert_allclose(skew(a) @ b, np.cross(a, b), atol=1e-15)
 

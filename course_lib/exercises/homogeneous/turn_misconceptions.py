@@ -81,7 +81,7 @@ def outer_product_whole(axis, angle):
     return c * np.eye(3) + np.outer(n, n) + np.sin(angle) * _cross(n)
 
 
-def cross_matrix_whole(axis, angle):
+def skew_matrix_whole(axis, angle):
     n, c = axis / np.linalg.norm(axis), np.cos(angle)
     return c * np.eye(3) + (1 - c) * np.outer(n, n) + _cross(n)
 
@@ -96,7 +96,7 @@ def one_outside_of_its_bracket(axis, angle):
     return c * np.eye(3) + 1 - c * np.outer(n, n) + np.sin(angle) * _cross(n)
 
 
-def axis_for_its_cross_matrix(axis, angle):
+def axis_for_its_skew_matrix(axis, angle):
     n, c = axis / np.linalg.norm(axis), np.cos(angle)
     return c * np.eye(3) + (1 - c) * np.outer(n, n) + np.sin(angle) * n
 

@@ -42,7 +42,7 @@ ROTATION_ABOUT_AXIS = Exercise(
             also=[
                 wrong.cosine_of_the_outer_product,
                 wrong.outer_product_whole,
-                wrong.cross_matrix_whole,
+                wrong.skew_matrix_whole,
                 wrong.sine_for_cosine,
             ],
         ),
@@ -60,7 +60,7 @@ ROTATION_ABOUT_AXIS = Exercise(
             wrong.number_for_a_matrix,
             "NumPy adds a number, or a list of three, to a whole matrix. Which of your terms is no "
             "3 × 3 matrix?",
-            also=[wrong.one_outside_of_its_bracket, wrong.axis_for_its_cross_matrix],
+            also=[wrong.one_outside_of_its_bracket, wrong.axis_for_its_skew_matrix],
         ),
         Misconception(
             wrong.number_for_the_outer_product,
