@@ -53,7 +53,8 @@ def test_exact_pixels_give_the_points_back(seed):
 
 def test_the_linear_answer_depends_neither_on_the_origin_nor_on_the_size_of_a_matrix():
     near, far = (camera_at(eye, [0, 0, 0], K, (640, 480)) for eye in ([0, -1, 0], [10, 0, 0]))
-    pixels = np.stack([one.project([0, 0, 0]) for one in (near, far)]) + [[0.6, -0.8], [0.3, 0.9]]
+    exact = [one.project([0, 0, 0]) for one in (near, far)]
+    pixels = np.add(exact, [[0.6, -0.8], [0.3, 0.9]])
     found = triangulate_linear(pixels, [near.P, far.P])
     sized = triangulate_linear(pixels, [-3 * near.P, 70 * far.P])
     np.testing.assert_allclose(sized, found, atol=1e-12)
