@@ -47,6 +47,7 @@ MAY_IMPORT = {
         "data_generators",
     },
     "course_lib.data": set(),
+    "course_lib.tie_points": {"course_lib.detection"},
     "course_lib.judging": set(),
     "course_lib.drawing": {
         "data_generators",
@@ -54,6 +55,7 @@ MAY_IMPORT = {
         "course_lib.detection",
         "course_lib.display",
         "course_lib.remapping",
+        "course_lib.tie_points",
     },
     "course_lib.exercises": {"course_lib.judging", "course_lib.drawing"},
     "course_lib.widgets": {
@@ -61,6 +63,7 @@ MAY_IMPORT = {
         "course_lib.display",
         "course_lib.drawing",
         "course_lib.remapping",
+        "course_lib.tie_points",
         "data_generators",
     },
     "course_lib.environment": {"course_lib.display"},
