@@ -41,6 +41,13 @@ function render({ model, el }) {
     moved();
   }
 
+  // The pointer is at a pixel of a picture, or has left it: its ray shows in other pictures.
+  function pointed(trails, at) {
+    for (const place of new Set(trails.map((trail) => trail.picture))) {
+      figures[place].follow(at ? trails.filter((trail) => trail.picture === place) : [], at);
+    }
+  }
+
   function flush() {
     if (!waiting || sent - answered >= IN_FLIGHT) return;
     waiting = false;
@@ -90,7 +97,7 @@ function render({ model, el }) {
     for (const [name, row] of rows) row.follow(message.follows[name]);
     if (figures.length !== message.pictures.length) {
       figures.forEach((f) => f.remove());
-      figures = message.pictures.map(() => figure(dragged));
+      figures = message.pictures.map(() => figure(dragged, pointed));
       pictures.replaceChildren(...figures.map((f) => f.element));
     }
     const floats = aligned(buffers[0]);

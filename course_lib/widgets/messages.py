@@ -94,6 +94,9 @@ def _encode_picture(picture: Picture, image: int | str | None, numbers: _Numbers
         "labels": [vars(label) for label in picture.labels],
         "handles": [vars(handle) for handle in picture.handles],
         "marks": picture.marks and _encode_marks(picture.marks, numbers),
+        "trails": [
+            vars(trail) | {"A": trail.A.tolist(), "e": trail.e.tolist()} for trail in picture.trails
+        ],
         "probes": [
             vars(probe)
             | {

@@ -1,5 +1,5 @@
 // One picture of an explorer: the photograph, what is drawn over it, and what follows the pointer.
-// Everything it shows was computed in Python.
+// Everything it shows was computed in Python, but for the image of the pointer's ray (drawTrail).
 
 const BT601 = { matrix: "smpte170m", primaries: "bt709", transfer: "iec61966-2-1", fullRange: false };
 
@@ -25,14 +25,16 @@ function aligned(view) {
   return new Float32Array(view.buffer.slice(view.byteOffset, view.byteOffset + view.byteLength));
 }
 
+const VANISHING = 1e-3; // of the farther end: nearer than that an end of a ray has no image
 const GRIP = 16; // px of the screen: how near to a handle a pointer takes it
 
-function figure(dragged) {
+function figure(dragged, pointed) {
   const canvas = make("canvas", { className: "ce-canvas", role: "img", tabIndex: 0 });
   const cross = make("canvas", { className: "ce-cross", ariaHidden: true, hidden: true });
+  const thread = make("canvas", { className: "ce-cross", ariaHidden: true, hidden: true });
   const title = make("figcaption");
   const reading = make("p", { className: "ce-reading", ariaLive: "polite" });
-  const box = make("div", { className: "ce-box" }, canvas, cross);
+  const box = make("div", { className: "ce-box" }, canvas, thread, cross);
   const element = make("figure", { className: "ce-figure" }, title, box, reading);
   let picture = null, photograph = null, floats = null, pointer = null, width = 0;
   let held = -1; // the handle that is being dragged
@@ -71,6 +73,7 @@ function figure(dragged) {
 
   function point(at) {
     pointer = at;
+    pointed(picture.trails, at);
     cross.hidden = !at || !readable();
     if (cross.hidden) {
       rewrite(reading, readable() ? "Point at the picture to read it." : "");
@@ -121,12 +124,13 @@ function figure(dragged) {
   canvas.addEventListener("pointerdown", (event) => {
     if (!picture?.handles.length) return;
     held = gripped(event);
-    if (held < 0 && picture.marks) held = 0; // a press beside it calls the spot there
+    const called = Boolean(picture.marks) || picture.trails.length > 0;
+    if (held < 0 && called) held = 0; // a press beside it calls the spot there
     if (held < 0) return;
     event.preventDefault();
     canvas.setPointerCapture(event.pointerId);
     box.classList.add("ce-held");
-    if (picture.marks) drag(event);
+    if (called) drag(event);
   });
   function release() {
     if (held < 0) return;
@@ -155,6 +159,14 @@ function figure(dragged) {
 
   return {
     element,
+    // What the pointer in another picture draws here.
+    follow(trails, at) {
+      thread.hidden = !trails.length;
+      if (thread.hidden || !width) return;
+      style ??= styleOf(box);
+      const context = fit(thread);
+      for (const trail of trails) drawTrail(context, trail, at, style, picture.size);
+    },
     restyle() { style = null; draw(); },
     remove() {
       size.disconnect();
@@ -275,6 +287,36 @@ function ringMark(context, { points }, floats, index, { ink }, pixel) {
     context.beginPath();
     context.arc(floats[at], floats[at + 1], 8 * pixel, 0, 7);
     context.stroke();
+  }
+}
+
+// The image of a ray: A x + s e for s = 1 / depth, from 0 to 1 / near, where it is in front.
+function drawTrail(context, { A, e, near, depths, unit, role }, [u, v], style, size) {
+  const far = A.map(([a, b, c]) => a * u + b * v + c);
+  const at = (s) => [0, 1].map((i) => (far[i] + s * e[i]) / (far[2] + s * e[2]));
+  const w = [far[2], far[2] + e[2] / near];
+  const least = VANISHING * Math.max(...w.map(Math.abs));
+  if (Math.max(...w) < least || least === 0) return;
+  const [start, stop] = w.map((end, i) => (end < least ? (least - far[2]) / e[2] : i / near));
+  context.setLineDash([]);
+  for (const [lineWidth, strokeStyle] of [[5, "rgba(255,255,255,.7)"], [2.5, style.ink(role)]]) {
+    Object.assign(context, { lineWidth, strokeStyle, lineCap: "round" });
+    context.beginPath();
+    context.moveTo(...at(start));
+    context.lineTo(...at(stop));
+    context.stroke();
+  }
+  let last = null; // labels that would overlap are left out
+  for (const depth of depths) {
+    const [x, y] = at(1 / depth);
+    if (!(far[2] + e[2] / depth > 0 && x > 4 && y > 4 && x < size[0] - 4 && y < size[1] - 4)) continue;
+    if (last && (x - last[0]) ** 2 + (y - last[1]) ** 2 < 26 ** 2) continue;
+    last = [x, y];
+    context.beginPath();
+    context.arc(x, y, 3.5, 0, 7);
+    context.fillStyle = style.ink(role);
+    context.fill();
+    write(context, { text: `${depth} ${unit}`, role, at: [x, y - 12], anchor: "middle" }, style, true);
   }
 }
 

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from course_lib.drawing import style
 from course_lib.drawing.explorers.marks import Marks
+from course_lib.drawing.explorers.trails import Trail
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -113,15 +114,13 @@ class Picture:
     image : ndarray, shape (height, width, 3), uint8, optional
         The photograph, RGB; another shape or type raises a ValueError.
     lines, labels : tuple
-        Drawn over the photograph, in its pixels.
-    probes : tuple of Probe
-        What the pointer reads.
-    pixels : bool
-        Whether the pointer also reads (u, v).
+        Drawn over it, in its pixels.
+    probes, pixels : tuple of Probe, bool
+        What the pointer reads, and whether it also reads (u, v).
     handles : tuple of Handle
-        Spots that can be dragged; with marks, a press anywhere takes the first one.
-    marks : Marks, optional
-        Points that say what they are.
+        Spots that can be dragged; with marks or trails, a press anywhere takes the first one.
+    marks, trails : Marks, optional, and tuple of Trail
+        Points that say what they are, and what the pointer draws in other pictures.
     """
 
     title: str
@@ -134,6 +133,7 @@ class Picture:
     pixels: bool = False
     handles: tuple[Handle, ...] = ()
     marks: Marks | None = None
+    trails: tuple[Trail, ...] = ()
 
     def __post_init__(self) -> None:
         image, shape = self.image, (self.size[1], self.size[0], 3)
@@ -236,11 +236,12 @@ def still(frame: Frame, settings: str = "") -> bytes:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    widths = [p.size[0] for p in frame.pictures]
-    tallest = max(p.size[1] for p in frame.pictures)
+    widths, heights = zip(*(p.size for p in frame.pictures), strict=True)
     caption = "\n".join([*textwrap.wrap(settings, 115), *filter(None, [_numbers(frame)])])
     with style.course_style():
-        height = style.FULL_WIDTH * tallest / sum(widths) + 0.5 + 0.18 * (caption.count("\n") + 1)
+        height = (
+            style.FULL_WIDTH * max(heights) / sum(widths) + 0.5 + 0.18 * (caption.count("\n") + 1)
+        )
         figure = Figure(figsize=(style.FULL_WIDTH, height))
         FigureCanvasAgg(figure)
         row = figure.subplots(1, len(widths), width_ratios=widths, squeeze=False)[0]
@@ -268,15 +269,14 @@ def _draw(axes: Axes, picture: Picture) -> None:
             axes.fill(*points.T, color=colour, alpha=line.fill, linewidth=0)
         if line.closed:
             points = np.vstack([points, points[:1]])
-        dash = "--" if line.dashed else "-"
-        halo = _halo(picture, 0.6 * line.width)
-        axes.plot(*points.T, dash, color=colour, linewidth=0.6 * line.width, path_effects=halo)
+        look: dict[str, Any] = {"ls": "--" if line.dashed else "-", "lw": 0.6 * line.width}
+        axes.plot(*points.T, color=colour, path_effects=_halo(picture, look["lw"]), **look)
     for handle in picture.handles:
         axes.plot(*handle.at, "o", ms=7, mfc="white", mec=_colour(handle.role), mew=1.8)
     for label in picture.labels:
-        look: dict[str, Any] = {"ha": ANCHORS[label.anchor], "va": "center", "fontsize": 7}
-        halo = _halo(picture, 0)
-        axes.text(*label.at, label.text, color=_colour(label.role), path_effects=halo, **look)
+        look = {"ha": ANCHORS[label.anchor], "va": "center", "fontsize": 7}
+        look |= {"color": _colour(label.role), "path_effects": _halo(picture, 0)}
+        axes.text(*label.at, label.text, **look)
 
 
 def _halo(picture: Picture, width: float) -> list[AbstractPathEffect]:
@@ -289,7 +289,6 @@ def _halo(picture: Picture, width: float) -> list[AbstractPathEffect]:
 
 
 def _colour(role: str) -> str:
-    """Return the colour of a role; ``"ink"`` is that of the text."""
     return style.BLACK if role == "ink" else style.ROLES[role]
 
 
