@@ -17,6 +17,7 @@ CHAPTERS = {
     "distortion": "05_distortion",
     "estimation": "06_estimation",
     "calibration": "07_calibration",
+    "epipolar": "08_epipolar",
 }
 
 
