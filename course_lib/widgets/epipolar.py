@@ -5,6 +5,7 @@ from __future__ import annotations
 from course_lib.drawing.explorers.epipolar import SIZE, epipolar_frame
 from course_lib.drawing.explorers.pairs import EYES, TOWARDS
 from course_lib.drawing.explorers.ransac import MOST, ransac_frame
+from course_lib.drawing.explorers.rectification import BOARD, STREET, rectification_frame
 from course_lib.widgets.controls import Choice, Slider
 from course_lib.widgets.explorer import Explorer
 
@@ -14,8 +15,8 @@ def epipolar_explorer() -> Explorer:
     return Explorer(
         "The epipolar line of a point",
         [
-            Slider("u", "Point on the left", "u", "px", 0, SIZE[0] - 1, 235),
-            Slider("v", "Point on the left", "v", "px", 0, SIZE[1] - 1, 35),
+            Slider("u", "Point on the left", "u", "px", 0, SIZE[0] - 1, 238),
+            Slider("v", "Point on the left", "v", "px", 0, SIZE[1] - 1, 30),
             Slider("Z", "Depth of the candidate", "Z", "m", 4, 60, 25, steps=80, digits=3),
             Choice("arrangement", "Cameras", tuple(EYES), TOWARDS),
         ],
@@ -33,4 +34,16 @@ def ransac_stepper() -> Explorer:
             Slider("threshold", "Threshold", "", "px", 0.2, 10, 1, step=0.2, digits=1),
         ],
         ransac_frame,
+    )
+
+
+def rectification_explorer() -> Explorer:
+    """Return the rectification slider: two pictures turn until their lines are rows."""
+    return Explorer(
+        "Rectification",
+        [
+            Slider("s", "As taken (0) to rectified (1)", "", "", 0, 1, 0, step=0.02, digits=2),
+            Choice("pair", "Pictures", (STREET, BOARD), STREET),
+        ],
+        rectification_frame,
     )

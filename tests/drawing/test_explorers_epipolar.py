@@ -2,9 +2,11 @@
 
 import numpy as np
 import pytest
+from real_data import fetched
 
+from course_lib import data
 from course_lib.drawing.explorers import epipolar as lines
-from course_lib.drawing.explorers import pairs, ransac
+from course_lib.drawing.explorers import pairs, ransac, rectification
 from course_lib.drawing.explorers.trails import Trail
 from course_lib.epipolar import (
     eight_point,
@@ -13,6 +15,7 @@ from course_lib.epipolar import (
     line_distance,
     sampson_error,
 )
+from course_lib.homogeneous import apply_homography
 
 ARRANGEMENTS = list(pairs.EYES)
 
@@ -166,3 +169,44 @@ def test_the_best_so_far_never_gets_worse_and_wrong_pairs_are_wrong():
     errors = sampson_error(drawn.points1, drawn.points2, F)
     assert errors[drawn.right].max() < 4 * ransac.NOISE
     assert np.median(errors[~drawn.right]) > 10
+
+
+# Rectification
+
+
+@pytest.mark.parametrize("pair", [rectification.STREET, rectification.BOARD])
+def test_on_the_way_lines_stay_the_partners_lines_and_end_as_rows(pair):
+    if pair == rectification.BOARD:
+        fetched("opencv_stereo/left01.jpg")
+    views = rectification.two_views(pair)
+    for s in (0.0, 0.4, 1.0):
+        frame = rectification.rectification_frame(s, pair)
+        H1, H2, _ = rectification.turned(views, s)
+        for k, (H, points) in enumerate(((H1, views.points1), (H2, views.points2))):
+            spots = [
+                np.asarray(line.points).mean(axis=0)
+                for line in frame.pictures[k].lines
+                if line.closed
+            ]
+            np.testing.assert_allclose(spots, apply_homography(points, H)[views.shown], atol=1e-6)
+            strokes = [line.points for line in frame.pictures[k].lines if not line.closed]
+            for stroke, spot in zip(strokes, spots, strict=True):
+                line = np.cross(np.append(stroke[0], 1), np.append(stroke[1], 1))
+                assert line_distance(spot, line) < 0.3
+    assert float(value(frame, "Rows differ by (RMS)")) < 0.1
+    assert float(value(frame, "Steepest line on the right")) < 0.005
+    start = rectification.rectification_frame(0.0, pair)
+    assert float(value(start, "Rows differ by (RMS)")) > 5
+
+
+def test_without_photographs_the_street_takes_their_place(monkeypatch):
+    def missing():
+        raise data.Unavailable("no network")
+
+    monkeypatch.setattr(rectification, "stereo_boards", missing)
+    rectification.two_views.cache_clear()
+    try:
+        street = rectification.two_views(rectification.STREET)
+        assert rectification.two_views(rectification.BOARD) is street
+    finally:
+        rectification.two_views.cache_clear()

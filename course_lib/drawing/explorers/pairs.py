@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 FOCAL = 1.2
 TOWARDS, APART, AHEAD = "turned towards each other", "side by side", "one ahead of the other"
 EYES = {
-    TOWARDS: ((-2.5, -5.0, 1.7), (2.5, -3.5, 2.2)),
+    TOWARDS: ((-2.2, -4.4, 1.7), (2.2, -4.6, 2.3)),
     APART: ((-1.2, -4.0, 1.7), (1.2, -4.0, 1.7)),
     AHEAD: ((0.3, -6.0, 1.7), (0.3, -2.0, 1.7)),
 }

@@ -91,6 +91,13 @@ def share(values: ArrayLike, ends: tuple[float, float], logarithmic: bool) -> Fl
         return np.asarray(np.log(numbers / low) / np.log(high / low))
 
 
+def crosses(places: ArrayLike, size: float) -> Floats:
+    """Return small upright crosses at pixels, as one line, (6 N, 2)."""
+    pen = [np.nan, np.nan]
+    steps = size * np.array([[-1, 0], [1, 0], pen, [0, -1], [0, 1], pen])
+    return np.asarray((np.asarray(places)[:, None] + steps).reshape(-1, 2))
+
+
 def disc(at: ArrayLike, radius: float) -> Floats:
     """Return the outline of a disc, (36, 2), px."""
     turn = np.linspace(0, 2 * np.pi, 37)[:-1]

@@ -20,7 +20,7 @@ from course_lib.drawing.calibration.photographs import (
 )
 from course_lib.drawing.explorers.frame import Frame, Handle, Label, Line, Picture, Readout
 from course_lib.drawing.explorers.marks import Marks
-from course_lib.drawing.explorers.plot import Plot, disc
+from course_lib.drawing.explorers.plot import Plot, crosses, disc
 
 Floats = NDArray[np.float64]
 
@@ -114,19 +114,13 @@ def _plot(way: str) -> Plot:
     return Plot((44, 290, 22, 268), (-reach, reach), (reach, -reach))  # dv grows downwards
 
 
-def _marks(places: Floats, size: float) -> Floats:
-    """Return small upright crosses at pixels, as one line, (6 N, 2)."""
-    steps = size * np.array([[-1, 0], [1, 0], [np.nan] * 2, [0, -1], [0, 1], [np.nan] * 2])
-    return np.asarray((places[:, None] + steps).reshape(-1, 2))
-
-
 @cache
 def _crosses(way: str, view: int) -> tuple[Floats, Floats]:
     """Return all residuals as marks of the plot, and larger ones of one view."""
     seen, plot = inspected(way), _plot(way)
     every = plot.pixels(*seen.residuals.reshape(-1, 2).T)
     own = plot.pixels(*seen.residuals[view].T)
-    return _marks(every, 1.6), _marks(own, 3.2)
+    return crosses(every, 1.6), crosses(own, 3.2)
 
 
 def _cloud(
@@ -230,7 +224,7 @@ def _near(seen: Inspected, view: int, corner: int) -> Picture:
     part = seen.photographs[view][top : top + NEAR, left : left + NEAR]
     shown = cv2.resize(part, NEAR_SIZE, interpolation=cv2.INTER_NEAREST)
     at, to = (TIMES * (place - (left, top) + 0.5) - 0.5 for place in (observed, projected))
-    upright = _marks(np.asarray(at)[None], 9.0)
+    upright = crosses(np.asarray(at)[None], 9.0)
     return Picture(
         f"Corner {corner}",
         f"Corner {corner} enlarged: seen at the cross, projected to the ring.",
