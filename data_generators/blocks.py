@@ -164,8 +164,8 @@ def flight(
     size, f = (4000, 3000), 3600.0
     sides = np.array(size) * height / f
     step, apart = (1 - np.array(overlap)) * sides
-    R, C = _strips(rng, strips, pictures, step, apart, height)
-    R, C = _with_oblique(R, C, oblique)
+    R, C = nadir_poses(rng, strips, pictures, step, apart, height)
+    R, C = with_oblique(R, C, oblique)
     low, high = C[:, :2].min(axis=0) - sides / 2, C[:, :2].max(axis=0) + sides / 2
     plan = rng.uniform(low, high, (points, 2))
     X = np.column_stack([plan, _hills(plan, height)])
@@ -208,7 +208,7 @@ def large_block(rng: np.random.Generator, noise: float = 0.5) -> KnownBlock:
     return KnownBlock(smaller, seen, wrong, points[:8], points[8:28], known.image_size)
 
 
-def _strips(
+def nadir_poses(
     rng: np.random.Generator, strips: int, pictures: int, step: float, apart: float, height: float
 ) -> tuple[Array, Array]:
     """Return rotations and centres of cameras that look down, nearly."""
@@ -222,7 +222,7 @@ def _strips(
     return np.array(R), np.array(C) + 0.01 * height * rng.standard_normal((len(C), 3))
 
 
-def _with_oblique(R: Array, C: Array, oblique: int) -> tuple[Array, Array]:
+def with_oblique(R: Array, C: Array, oblique: int) -> tuple[Array, Array]:
     """Return cameras with some more, around the area, that look at its middle."""
     middle, height = C.mean(axis=0) * [1, 1, 0], C[:, 2].mean()
     for angle in 2 * np.pi * np.arange(oblique) / max(oblique, 1):
