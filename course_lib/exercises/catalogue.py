@@ -18,6 +18,8 @@ CHAPTERS = {
     "estimation": "06_estimation",
     "calibration": "07_calibration",
     "epipolar": "08_epipolar",
+    "triangulation": "09_triangulation",
+    "bundle": "10_bundle",
 }
 
 

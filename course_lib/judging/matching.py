@@ -62,6 +62,16 @@ class BothBeyond:
         return None if beyond else Mismatch("values", "The number is not that large.")
 
 
+@dataclass(frozen=True)
+class SameShape:
+    """Tables of one size: the inverse of a singular matrix is made of chance."""
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return None where both have the same shape."""
+        alike = np.shape(got) == np.shape(expected)
+        return None if alike else Mismatch("shape", "The shape is another one.")
+
+
 def _agreement(
     exercise: Exercise,
     misconception: Misconception,

@@ -6,6 +6,7 @@ from course_lib.exercises.calibration import inputs
 from course_lib.exercises.calibration import judgement_misconceptions as wrong
 from course_lib.exercises.calibration import plain_refinement as plain
 from course_lib.judging import Exercise, Explain, Misconception, Part, YesOrNo
+from course_lib.judging.matching import SameShape
 
 REJECT_VIEWS = Exercise(
     "calibration",
@@ -135,7 +136,7 @@ PARAMETER_COVARIANCE = Exercise(
             wrong.residuals_for_parameters,
             "Your table has a row for each residual. Which product with J has one for each "
             "parameter?",
-            compare=wrong.SameShape(),
+            compare=SameShape(),
         ),
     ],
 )

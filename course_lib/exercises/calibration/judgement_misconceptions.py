@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-
-from course_lib.judging.comparison import Mismatch
 
 # --- reject_views -----------------------------------------------------------------------------
 
@@ -172,13 +169,3 @@ def more_parameters_than_residuals(J, residuals):
 def residuals_for_parameters(J, residuals):
     m, n = J.shape
     return residuals @ residuals / (m - n) * np.linalg.inv(J @ J.T)
-
-
-@dataclass(frozen=True)
-class SameShape:
-    """Tables of one size: the inverse of a singular matrix is made of chance."""
-
-    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
-        """Return None where both have the same shape."""
-        alike = np.shape(got) == np.shape(expected)
-        return None if alike else Mismatch("shape", "The shape is another one.")

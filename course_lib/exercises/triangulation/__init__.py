@@ -1,0 +1,30 @@
+"""Chapter 09: the exercises on triangulation."""
+
+from course_lib.exercises.triangulation.depth import (
+    DEPTH_FROM_DISPARITY,
+    DEPTH_UNCERTAINTY,
+    EXPLAIN_TWICE_AS_FAR,
+)
+from course_lib.exercises.triangulation.points import (
+    POINT_COVARIANCE,
+    REFINE_POINT,
+    TRIANGULATE_LINEAR,
+)
+from course_lib.exercises.triangulation.rays import (
+    CLOSEST_POINTS_ON_RAYS,
+    INTERSECT_RAY_PLANE,
+    TRIANGULATE_MIDPOINT,
+)
+
+#: In the order of the lesson.
+EXERCISES = (
+    CLOSEST_POINTS_ON_RAYS,
+    TRIANGULATE_MIDPOINT,
+    TRIANGULATE_LINEAR,
+    REFINE_POINT,
+    DEPTH_FROM_DISPARITY,
+    DEPTH_UNCERTAINTY,
+    INTERSECT_RAY_PLANE,
+    POINT_COVARIANCE,
+    EXPLAIN_TWICE_AS_FAR,
+)

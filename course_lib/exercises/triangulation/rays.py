@@ -1,0 +1,244 @@
+"""Exercises of chapter 09 on rays: two that nearly meet, their midpoint, and a plane."""
+
+from __future__ import annotations
+
+from course_lib.exercises.triangulation import inputs, plain
+from course_lib.exercises.triangulation import plane_misconceptions as plane
+from course_lib.exercises.triangulation import ray_misconceptions as wrong
+from course_lib.judging import Exercise, Misconception, Part
+
+CLOSEST_POINTS_ON_RAYS = Exercise(
+    "triangulation",
+    plain.closest_points_on_rays,
+    points=7,
+    parts={
+        "directions of length 1": Part(inputs.unit_rays, cases=1, weight=4),
+        "directions of any length": Part(inputs.rays_of_any_length, cases=1, weight=3),
+    },
+    forbidden=("course_lib.triangulation.rays.closest_points_on_rays",),
+    misconceptions=[
+        Misconception(
+            wrong.directions_taken_for_unit,
+            "With arrows of length 1 it is right. What is d1 times d1 if the arrow is longer?",
+        ),
+        Misconception(
+            wrong.made_unit_for_the_lengths_only,
+            "You solve with shortened arrows. With which arrows do you walk along the ray then?",
+        ),
+        Misconception(
+            wrong.sign_of_the_second_length,
+            "Bring all unknowns to one side. Which sign does the part with d2 get there?",
+        ),
+        Misconception(
+            wrong.difference_the_other_way,
+            "Your points lie behind the origins. Which origin is subtracted from the other?",
+        ),
+        Misconception(
+            wrong.rows_for_columns,
+            "λ1 multiplies all three numbers of d1. Do they stand in a column of your matrix?",
+            also=[wrong.rows_and_sign],
+        ),
+        Misconception(
+            wrong.sign_of_the_common_normal,
+            "Your first point is right. Is the other ray on the side where n points?",
+        ),
+        Misconception(
+            wrong.unit_normal_taken,
+            "Your first point is right. How long is the n with which μ was found: is it 1?",
+        ),
+        Misconception(
+            wrong.products_for_the_normal,
+            "Is your third direction perpendicular to both rays? Which product of NumPy gives it?",
+        ),
+        Misconception(
+            wrong.nearest_to_the_other_origin,
+            "Your point is nearest to the place where the other ray begins. Is that asked for?",
+        ),
+        Misconception(
+            wrong.lengths_returned,
+            "These are lengths along the rays. Where in space do they lead?",
+            also=[wrong.all_unknowns_returned],
+        ),
+        Misconception(
+            wrong.middle_returned,
+            "This is the middle of two points. Which two?",
+        ),
+        Misconception(
+            wrong.points_swapped,
+            "Both points are right. Which of them lies on the first ray?",
+        ),
+        Misconception(
+            wrong.lengths_swapped,
+            "Along which ray do you walk λ1, and along which one λ2?",
+        ),
+        Misconception(
+            wrong.origins_forgotten,
+            "Your ways along the rays are right. Where do they begin?",
+        ),
+        Misconception(
+            wrong.both_from_the_first_origin,
+            "Your first point is right. Where does the second ray begin?",
+        ),
+    ],
+)
+
+TRIANGULATE_MIDPOINT = Exercise(
+    "triangulation",
+    plain.triangulate_midpoint,
+    points=7,
+    parts={
+        "rays that meet": Part(inputs.rays_meet, cases=1, weight=4),
+        "rays that miss each other": Part(inputs.rays_miss, cases=1, weight=3),
+    },
+    forbidden=(
+        "course_lib.triangulation.rays.triangulate_midpoint",
+        "course_lib.triangulation.two_views.triangulate",
+        "course_lib.triangulation.many_views.triangulate_linear",
+        "cv2.triangulatePoints",
+    ),
+    misconceptions=[
+        Misconception(
+            wrong.M_not_inverted,
+            "M makes pixels of directions. Which way do you have to go here?",
+        ),
+        Misconception(
+            wrong.M_transposed,
+            "M⁻¹ works on a column here. On which side of the pixel does it stand?",
+        ),
+        Misconception(
+            wrong.third_number_zero,
+            "A pixel has two numbers and M⁻¹ three columns. Which number do you append?",
+        ),
+        Misconception(
+            wrong.last_column_for_the_centre,
+            "p is not yet the place of the camera. What does P make of its own centre?",
+            also=[wrong.minus_last_column],
+        ),
+        Misconception(
+            wrong.sign_of_the_centre,
+            "Multiply P with your centre and a 1: are there three zeros?",
+        ),
+        Misconception(
+            wrong.direction_taken_for_a_point,
+            "You subtract the centre from M⁻¹ times the pixel. Is that a point, or a direction?",
+        ),
+        Misconception(
+            wrong.pixels_swapped,
+            "Which camera took pixel1, and which one pixel2?",
+        ),
+        Misconception(
+            wrong.first_camera_for_both,
+            "Both directions come from the same M. Which camera saw the second pixel?",
+        ),
+        Misconception(
+            wrong.point_on_the_first_ray,
+            "Right where the rays meet. Where they miss, your point lies on which of them?",
+            also=[wrong.point_on_the_second_ray],
+        ),
+        Misconception(
+            wrong.half_of_the_difference,
+            "This is half of the way between the points. From where do you have to go it?",
+            also=[wrong.half_of_the_other_difference],
+        ),
+        Misconception(
+            wrong.sum_not_halved,
+            "The middle of 2 and 4 is 3. What do you get from 2 and 4?",
+            also=[wrong.only_one_halved],
+        ),
+        Misconception(
+            wrong.both_points,
+            "These are the two closest points. Which single point is asked for?",
+        ),
+        Misconception(
+            wrong.mean_of_all_numbers,
+            "A mean of X, Y and Z together is no place. Of which numbers is each mean taken?",
+            also=[wrong.mean_of_each_point],
+        ),
+        Misconception(
+            wrong.middle_of_the_centres,
+            "This lies between the cameras. Between which two points should it lie?",
+        ),
+    ],
+)
+
+INTERSECT_RAY_PLANE = Exercise(
+    "triangulation",
+    plain.intersect_ray_plane,
+    points=7,
+    parts={
+        "light before the camera": Part(inputs.light_before_the_camera, cases=1, weight=4),
+        "some rays go away from the plane": Part(inputs.some_rays_go_away, cases=1, weight=3),
+    },
+    forbidden=("course_lib.triangulation.rays.intersect_ray_plane",),
+    misconceptions=[
+        Misconception(
+            plane.sign_of_the_length,
+            "Put your length back into the plane's equation. Is it zero, or does a sign differ?",
+            also=[plane.sign_without_nan],
+        ),
+        Misconception(
+            plane.sign_of_d,
+            "When d goes to the other side of the equation, together with the origin, which signs "
+            "do both have?",
+            also=[plane.sign_of_d_without_nan],
+        ),
+        Misconception(
+            plane.d_left_out,
+            "Does your plane pass through the point (0, 0, 0)? Which number says where it is?",
+            also=[plane.d_left_out_without_nan],
+        ),
+        Misconception(
+            plane.begun_at_zero,
+            "The rays begin at the camera. Is that the point (0, 0, 0) of the world?",
+            also=[plane.begun_at_zero_without_nan],
+        ),
+        Misconception(
+            plane.length_from_zero,
+            "How far it is to the plane depends on where the ray begins. Does your length?",
+            also=[plane.length_from_zero_without_nan],
+        ),
+        Misconception(
+            plane.origin_not_added,
+            "You have the way from the camera to the plane. Where does it begin?",
+            also=[plane.origin_not_added_without_nan],
+        ),
+        Misconception(
+            plane.behind_let_pass,
+            "Right for rays that meet the plane. What does a negative length mean?",
+        ),
+        Misconception(
+            plane.sign_of_the_length_lost,
+            "Right for rays that meet the plane. Do the others meet it in the point that you give?",
+        ),
+        Misconception(
+            plane.rows_left_out,
+            "How many rays came in, and how many rows go out?",
+        ),
+        Misconception(
+            plane.zeros_for_nan,
+            "A row of zeros is a place in the world. What marks a row that has no answer?",
+        ),
+        Misconception(
+            plane.nan_for_those_in_front,
+            "Which rays go away from the plane: those with a positive length, or the others?",
+        ),
+        Misconception(
+            plane.lengths_only,
+            "These are lengths along the rays. Where in space do they lead?",
+        ),
+        Misconception(
+            plane.lengths_not_in_a_column,
+            "Each length belongs to one row of directions. Does it stand in a column?",
+        ),
+        Misconception(
+            plane.unit_normal_but_old_d,
+            "You shorten a, b and c. What becomes of the equation if d stays as it was?",
+            also=[plane.unit_normal_without_nan],
+        ),
+        Misconception(
+            plane.not_divided_by_the_slope,
+            "A ray that grazes the plane has a long way to it. Do all of yours go equally far?",
+            also=[plane.not_divided_without_nan],
+        ),
+    ],
+)
