@@ -1,0 +1,131 @@
+"""A laser line on a thing: the scene that a student's ray and plane measure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from course_lib.camera import Camera, camera_at
+from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
+from course_lib.drawing.style import FULL_WIDTH, LIGHT, ROLES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+K = np.array([[1200.0, 0, 319.5], [0, 1200, 239.5], [0, 0, 1]])
+SIZE = (640, 480)
+EYE, TARGET = (0.0, -300.0, 400.0), (0.0, 0.0, 5.0)  # mm: the camera looks down at a table, z up
+#: The laser's sheet of light stands upright and crosses the table along the x axis: y = 0.
+PLANE = np.array([0.0, 1.0, 0.0, 0.0])
+#: The thing: a rail from front to back, 30 mm wide at its foot, 12 mm high, with a groove.
+HALF_FOOT, HALF_TOP, HEIGHT = 30.0, 18.0, 12.0
+GROOVE, DEPTH = 5.0, 4.0
+NOISE = 0.2  # px
+
+
+@dataclass(frozen=True, eq=False)
+class LaserLine:
+    """What a camera sees of a laser line.
+
+    Attributes
+    ----------
+    camera : Camera
+        Where it is; the world is in mm, z up.
+    pixels : ndarray, shape (N, 2)
+        The middle of the line in each of N columns or so, with noise, px.
+    directions : ndarray, shape (N, 3)
+        Directions of their rays.
+    plane : ndarray, shape (4,)
+        The laser's plane.
+    """
+
+    camera: Camera
+    pixels: Floats
+    directions: Floats
+    plane: Floats
+
+
+def profile(x: Floats) -> Floats:
+    """Return the height of the thing at places across it, mm."""
+    away = np.abs(x)
+    slope = np.clip((HALF_FOOT - away) / (HALF_FOOT - HALF_TOP), 0, 1) * HEIGHT
+    return np.asarray(np.where(away < GROOVE, HEIGHT - DEPTH, slope))
+
+
+@cache
+def laser_line() -> LaserLine:
+    """Return the picture of a laser line across a rail, as pixels with noise.
+
+    Returns
+    -------
+    LaserLine
+        Camera, pixels, rays and the plane of the laser.
+    """
+    camera = camera_at(EYE, TARGET, K, SIZE)
+    x = np.linspace(-60, 60, 241)
+    exact = camera.project(np.column_stack([x, np.zeros_like(x), profile(x)]))
+    pixels = exact + NOISE * np.random.default_rng(5).standard_normal(exact.shape)
+    return LaserLine(camera, pixels, camera.pixel_ray(pixels), PLANE)
+
+
+@figure("A laser line across a rail as the camera sees it, and the profile that its rays give.")
+def laser_profile(yours: Any = None) -> Figure:
+    """Show a laser line in the picture, and the true profile with a student's points.
+
+    Parameters
+    ----------
+    yours : array_like, shape (N, 3), optional
+        Where a student's rays meet the laser's plane, mm.
+
+    Returns
+    -------
+    Figure
+        Picture and profile.
+    """
+    line = laser_line()
+    fig, (seen, cut) = panels(1, 2, (FULL_WIDTH, 3.0), width_ratios=(1, 1.25))
+    _rail(seen, line.camera)
+    seen.plot(*line.pixels.T, ".", color=ROLES["object"], ms=3)
+    seen.set(xlim=(160, 480), ylim=(330, 170), aspect="equal", title="picture")
+    seen.set(xlabel="u (px)", ylabel="v (px)")
+    x = np.linspace(-60, 60, 1201)
+    cut.fill_between(x, profile(x), -2, color=LIGHT, lw=0)
+    cut.plot(x, profile(x), color=ROLES["guide"], lw=1.5)
+    points = same_shape(yours, line.directions)
+    if points is None:
+        cut.text(0, 18, "no answer yet", ha="center")
+    else:
+        good = _drawable(points)
+        cut.plot(*points[good][:, [0, 2]].T, ".", color=ROLES["object"], ms=4)
+        off = 1000 * float(np.sqrt(np.mean(_off(points[good]) ** 2))) if good.any() else np.nan
+        text = (
+            f"yours: {off:.0f} µm from the rail (RMS)" if good.all() else "yours: not all are here"
+        )
+        cut.text(0, 18, text, ha="center")
+    cut.set(xlim=(-62, 62), ylim=(-2, 22), title="profile", xlabel="x (mm)", ylabel="z (mm)")
+    return fig
+
+
+def _drawable(points: Floats) -> NDArray[np.bool_]:
+    finite = np.isfinite(points).all(axis=1)
+    return np.asarray(finite & (np.abs(np.where(finite[:, None], points, 0)).max(axis=1) < 65))
+
+
+def _off(points: Floats) -> Floats:
+    """Return how far points are above the rail; beside its upright steps this says nothing."""
+    x, _, z = points.T
+    sound: NDArray[np.bool_] = np.abs(np.abs(x) - GROOVE) > 0.5
+    away: Floats = z - profile(x)
+    return away[sound]
+
+
+def _rail(ax: Axes, camera: Camera) -> None:
+    """Draw the edges of the rail as the camera sees them."""
+    for x in (-HALF_FOOT, -HALF_TOP, -GROOVE, GROOVE, HALF_TOP, HALF_FOOT):
+        z = 0.0 if abs(x) == HALF_FOOT else HEIGHT
+        ax.plot(*camera.project([[x, -60, z], [x, 60, z]]).T, color=ROLES["guide"], lw=1)
