@@ -171,7 +171,8 @@ def difference_of_both_depths(Z, f, baseline, sigma):
 
 
 def half_the_difference_of_both_depths(Z, f, baseline, sigma):
-    return difference_of_both_depths(Z, f, baseline, sigma) / 2
+    disparity = f * baseline / Z
+    return (f * baseline / (disparity - sigma) - f * baseline / (disparity + sigma)) / 2
 
 
 def cubed(Z, f, baseline, sigma):
