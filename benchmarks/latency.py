@@ -210,7 +210,10 @@ def drag(page: Any, mouse: Mouse, contender: Contender, seconds: float) -> None:
         across = 0.1 + 0.8 * abs((step % 160) / 80 - 1)
         mouse.move(box["x"] + box["width"] * across, box["y"] + box["height"] / 2)
         time.sleep(max(0, start + (step + 1) / MOVES_A_SECOND - time.perf_counter()))
-    contender.rates.append(page.evaluate(STOP) / (time.perf_counter() - start))
+    count = page.evaluate(STOP)
+    if count == 0:
+        raise RuntimeError(f"{contender.name} showed nothing new while dragged; run it again")
+    contender.rates.append(count / (time.perf_counter() - start))
     mouse.rest()
     page.mouse.up()
     page.wait_for_timeout(1500)

@@ -74,6 +74,7 @@ def naive(explorer: Explorer, name: str) -> Any:
         )
         for axes, picture in zip(row[0], pictures, strict=True):
             _plot(axes, picture)
+        row[0][0].set_title(f"{name} = {positions[place]:g}", loc="left")  # always a new picture
         plt.show()
 
     slider = IntSlider(positions.index(state[name]), 0, len(positions) - 1)

@@ -42,8 +42,7 @@ class Row:
         """Return the row as text."""
         theirs, ratio = "", ""
         if self.theirs is not None:
-            theirs = self._text(self.theirs)
-            ratio = f"{self.ours / self.theirs:.2f}" if self.theirs else "∞"
+            theirs, ratio = self._text(self.theirs), f"{self.ours / self.theirs:.2f}"
         return [self.what, self._text(self.ours), self.peer, theirs, ratio, self.goal]
 
     def _text(self, number: float) -> str:
