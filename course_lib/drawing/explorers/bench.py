@@ -58,17 +58,24 @@ def bench_frame(b: float, Z: float, X: float, turn_deg: float, sigma: float, thi
     P = np.stack([camera.P for camera in used])
     C = 1e6 * point_covariance(point, P, sigma)
     off = 1000 * (answers(point, P, sigma) - point)
-    spread = np.sqrt(np.diag(C))
     rule = 1000 * float(depth_uncertainty(Z, F, b, np.sqrt(2) * sigma))
     readouts = (
-        Readout("Sideways", "σ_X", f"{spread[0]:.2f}", "mm"),
-        Readout("In depth", "σ_Z", f"{spread[1]:.2f}", "mm"),
-        Readout("Height", "σ_Y", f"{spread[2]:.2f}", "mm"),
+        *_spread(C),
         Readout("Z² √2 σ / (f b)", "", f"{rule:.2f}", "mm"),
         Readout("Angle between the outer rays", "", f"{ray_angle(cameras, point):.1f}", "°"),
         Readout("Answers in the 2σ ellipse", "", f"{100 * inside(off[:, :2], C[:2, :2]):.0f}", "%"),
     )
     return Frame((_plan(cameras, seeing, point, C[:2, :2]), _near(off, C[:2, :2])), readouts)
+
+
+def _spread(C: Floats) -> tuple[Readout, ...]:
+    """Return the standard deviations sideways, in depth and in height, from a covariance in mm²."""
+    names = (("Sideways", "σ_X"), ("In depth", "σ_Z"), ("Height", "σ_Y"))
+    sigmas = np.sqrt(np.diag(C)).tolist()
+    return tuple(
+        Readout(label, symbol, f"{sigma:.2f}", "mm")
+        for (label, symbol), sigma in zip(names, sigmas, strict=True)
+    )
 
 
 def stand(b: float, turn_deg: float, third: bool) -> list[Camera]:
@@ -114,10 +121,6 @@ def _plan(cameras: list[Camera], seeing: list[bool], point: Floats, C: Floats | 
         lines.append(Line(PLAN.pixels(*around.T), "object", 1.5, closed=True))
     b = float(cameras[1].centre[0] - cameras[0].centre[0])
     turned = float(np.degrees(np.arcsin(np.clip(cameras[0].R[2, 0], -1, 1))))
-    left, right, top, bottom = PLAN.box
-    across, up = 6.0 / (right - left), (PLAN.y[1] - PLAN.y[0]) / (bottom - top)
-    moves = (("X", -3 - across * left, across, 0.0), ("Z", PLAN.y[0] + up * bottom, 0.0, -up))
-    side = (("b", 2 * (-3 - across * left), 2 * across, 0.0),)
     return Picture(
         "From above (ellipse: 20 σ)",
         f"{len(cameras)} cameras, the outer ones {b:.1f} m apart and turned inwards by "
@@ -126,11 +129,19 @@ def _plan(cameras: list[Camera], seeing: list[bool], point: Floats, C: Floats | 
         PLAN_SIZE,
         lines=tuple(lines),
         labels=(*PLAN.ticks((-2, -1, 0, 1, 2), (0, 1, 2, 3, 4, 5)), *PLAN.names("x (m)", "z (m)")),
-        handles=(
-            Handle(PLAN.at(x, z), moves),
-            Handle(PLAN.at(b / 2, 0), side, "camera"),
-        ),
+        handles=_handles(x, z, b),
     )
+
+
+def _handles(x: float, z: float, b: float) -> tuple[Handle, Handle]:
+    """Return the spots that move the point, and the right camera with the left one."""
+    left, right, top, bottom = PLAN.box
+    across = (PLAN.x[1] - PLAN.x[0]) / (right - left)
+    up = (PLAN.y[1] - PLAN.y[0]) / (bottom - top)
+    start = PLAN.x[0] - across * left
+    moves = (("X", start, across, 0.0), ("Z", PLAN.y[0] + up * bottom, 0.0, -up))
+    apart = (("b", 2 * start, 2 * across, 0.0),)
+    return Handle(PLAN.at(x, z), moves), Handle(PLAN.at(b / 2, 0), apart, "camera")
 
 
 def _camera(camera: Camera, point: Floats | None) -> list[Line]:
@@ -150,22 +161,16 @@ def _camera(camera: Camera, point: Floats | None) -> list[Line]:
 
 def _near(off: Floats, C: Floats) -> Picture:
     """Return the answers around the true point, with the ellipse that was predicted."""
-    tall = 2.6 * float(np.sqrt(np.diag(C)).max())
-    reach = next((r for r in REACHES if r >= tall), REACHES[-1])
+    spread = np.sqrt(np.diag(C))
+    reach = next((r for r in REACHES if r >= 2.6 * spread.max()), REACHES[-1])
     left, right, top, bottom = NEAR_BOX
     wide = reach * (right - left) / (bottom - top)
     plot = Plot(NEAR_BOX, (-wide, wide), (-reach, reach))
-    spots = plot.pixels(*off[:, :2].T)
-    spots = spots[np.isfinite(spots).all(axis=1)]
-    marks = np.stack([spots + d for d in ((-2, 0), (2, 0), (0, 0), (0, -2), (0, 2))], axis=1)
-    marks = np.insert(marks, 5, np.nan, axis=1).reshape(-1, 2)
     lines = (
         plot.frame(),
-        Line(marks, "object", 1.5),
+        Line(_crosses(plot.pixels(*off[:, :2].T)), "object", 1.5),
         Line(plot.pixels(*outline(C).T), "camera", 2.5, closed=True),
     )
-    spread = np.sqrt(np.diag(C))
-    side = reach / 2
     return Picture(
         f"{TRIALS} answers and the ellipse (2 σ)",
         f"{TRIALS} answers scatter around the true point; the ellipse of two standard deviations "
@@ -173,10 +178,17 @@ def _near(off: Floats, C: Floats) -> Picture:
         NEAR_SIZE,
         lines=lines,
         labels=(
-            *plot.ticks((-side, 0, side), (-reach, 0, reach)),
+            *plot.ticks((-reach / 2, 0, reach / 2), (-reach, 0, reach)),
             *plot.names("error in x (mm)", "error in z (mm)"),
         ),
     )
+
+
+def _crosses(spots: Floats) -> Floats:
+    """Return small crosses at pixels, those that are somewhere, as one line that lifts its pen."""
+    spots = spots[np.isfinite(spots).all(axis=1)]
+    arms = np.array([(-2, 0), (2, 0), (0, 0), (0, -2), (0, 2), (np.nan, np.nan)])
+    return np.asarray((spots[:, None] + arms).reshape(-1, 2))
 
 
 def _nothing(words: str) -> Picture:

@@ -100,7 +100,7 @@ def laser_profile(yours: Any = None) -> Figure:
     if points is None:
         cut.text(0, 18, "no answer yet", ha="center")
     else:
-        good = _drawable(points)
+        good: NDArray[np.bool_] = _drawable(points)
         cut.plot(*points[good][:, [0, 2]].T, ".", color=ROLES["object"], ms=4)
         off = 1000 * float(np.sqrt(np.mean(_off(points[good]) ** 2))) if good.any() else np.nan
         text = (
@@ -112,8 +112,9 @@ def laser_profile(yours: Any = None) -> Figure:
 
 
 def _drawable(points: Floats) -> NDArray[np.bool_]:
-    finite = np.isfinite(points).all(axis=1)
-    return np.asarray(finite & (np.abs(np.where(finite[:, None], points, 0)).max(axis=1) < 65))
+    finite: NDArray[np.bool_] = np.isfinite(points).all(axis=1)
+    near = np.abs(np.where(finite[:, None], points, 0)).max(axis=1) < 65
+    return np.asarray(finite & near)
 
 
 def _off(points: Floats) -> Floats:
