@@ -14,11 +14,11 @@ def bench_explorer() -> Explorer:
     return Explorer(
         "Triangulation bench",
         [
-            Slider("b", "Baseline", "b", "m", 0.1, 4, 1, step=0.1, digits=1),
+            Slider("b", "Baseline", "b", "m", 0.2, 4, 1, step=0.1, digits=1),
             Slider("Z", "Distance of the point", "Z", "m", 1, 5, 4, step=0.1, digits=1),
             Slider("X", "Sideways", "X", "m", -2, 2, 0, step=0.1, digits=1),
             Slider("turn_deg", "Cameras turned inwards", "", "°", 0, 60, 0),
-            Slider("sigma", "Error of a pixel", "σ", "px", 0.05, 2, 0.5, step=0.05, digits=2),
+            Slider("sigma", "Error of a pixel", "σ", "px", 0.05, 1, 0.5, step=0.05, digits=2),
             Switch("third", "A third camera in the middle"),
         ],
         bench_frame,

@@ -51,16 +51,18 @@ def bench_frame(b: float, Z: float, X: float, turn_deg: float, sigma: float, thi
     cameras = stand(b, turn_deg, third)
     seeing = [sees(camera, point) for camera in cameras]
     used = [camera for camera, seen in zip(cameras, seeing, strict=True) if seen]
+    one_ray = Readout("One ray is off by", "Z σ / f", f"{1000 * Z * sigma / F:.2f}", "mm")
     if len(used) < 2:
         words = f"Only {len(used)} camera sees the point" if used else "No camera sees the point"
         plan = _plan(cameras, seeing, point, None)
-        return Frame((plan, _nothing(f"{words}: turn the cameras, or move it.")))
+        return Frame((plan, _nothing(f"{words}: turn the cameras, or move it.")), (one_ray,))
     P = np.stack([camera.P for camera in used])
     C = 1e6 * point_covariance(point, P, sigma)
     off = 1000 * (answers(point, P, sigma) - point)
     rule = 1000 * float(depth_uncertainty(Z, F, b, np.sqrt(2) * sigma))
     readouts = (
         *_spread(C),
+        one_ray,
         Readout("Z² √2 σ / (f b)", "", f"{rule:.2f}", "mm"),
         Readout("Angle between the outer rays", "", f"{ray_angle(cameras, point):.1f}", "°"),
         Readout("Answers in the 2σ ellipse", "", f"{100 * inside(off[:, :2], C[:2, :2]):.0f}", "%"),

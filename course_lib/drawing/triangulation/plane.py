@@ -112,7 +112,7 @@ def laser_profile(yours: Any = None) -> Figure:
 
 
 def _drawable(points: Floats) -> NDArray[np.bool_]:
-    finite: NDArray[np.bool_] = np.isfinite(points).all(axis=1)
+    finite = np.asarray(np.isfinite(points).all(axis=1))
     near = np.abs(np.where(finite[:, None], points, 0)).max(axis=1) < 65
     return np.asarray(finite & near)
 
