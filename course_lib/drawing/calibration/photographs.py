@@ -67,18 +67,35 @@ def _computed() -> tuple[Grey, ...]:
     seen = observe_board(rng, BOARD.points(), K, LENS, SIZE, views=60, tilt=0.4)
     inside = [min(p.min(), (SIZE - p).min()) > 25 for p in seen.pixels]
     poses = [pose for pose, whole in zip(seen.poses, inside, strict=True) if whole][: len(NAMES)]
+    return tuple(board_photograph(R, t, rng) for R, t in poses)
+
+
+@cache
+def _lens() -> tuple[Floats, tuple[int, int], NDArray[np.float32]]:
+    """Return a wider pinhole camera, the size of its picture, and where the lens looks in it."""
     wide, size = K + np.outer((200, 200, 0), (0, 0, 1)), (SIZE[0] + 400, SIZE[1] + 400)
-    lens = mesh_map(lambda pixels: undistort_pixels(pixels, K, LENS, wide), SIZE)
-    Hs = [wide @ np.column_stack([*R.T[:2], t]) for R, t in poses]
-    return tuple(_photograph(H, lens, size, rng) for H in Hs)
+    return wide, size, mesh_map(lambda pixels: undistort_pixels(pixels, K, LENS, wide), SIZE)
 
 
-def _photograph(
-    H: Floats, lens: NDArray[np.float32], size: tuple[int, int], rng: np.random.Generator
-) -> Grey:
-    """Return what a camera sees of the board that a homography takes to a pinhole's picture."""
+def board_photograph(R: Floats, t: Floats, rng: np.random.Generator) -> Grey:
+    """Return a computed photograph of the board by the camera `K` with the distortion `LENS`.
+
+    Parameters
+    ----------
+    R, t : ndarray, shape (3, 3) and (3,)
+        Board to camera, mm.
+    rng : numpy.random.Generator
+        For the noise of the sensor.
+
+    Returns
+    -------
+    ndarray, shape (480, 640), uint8
+        Grey values.
+    """
     import cv2
 
+    wide, size, lens = _lens()
+    H = wide @ np.column_stack([*R.T[:2], t])
     texture = checkerboard(COLUMNS + 1, ROWS + 1, TEXTURE, border=1)
     # The first inner corner is two squares from the edge of the texture; pixels are centres.
     to_mm = np.array([[1, 0, 0.5 - 2 * TEXTURE], [0, 1, 0.5 - 2 * TEXTURE], [0, 0, 1.0]])

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from course_lib.drawing.epipolar.geometry import epipolar_plane, four_poses
 from course_lib.drawing.epipolar.gruber import von_gruber
-from course_lib.drawing.epipolar.photographs import motorcycle, painted_wall, stereo_boards
+from course_lib.drawing.epipolar.photographs import (
+    computed_boards,
+    motorcycle,
+    painted_wall,
+    stereo_boards,
+)
 from course_lib.drawing.epipolar.real import (
     board_fundamental,
     corner_lines,
@@ -26,6 +31,7 @@ from course_lib.drawing.epipolar.street import (
 __all__ = [
     "board_fundamental",
     "candidates",
+    "computed_boards",
     "corner_lines",
     "eight_pairs",
     "epipolar_plane",

@@ -12,12 +12,23 @@ from course_lib import data
 from course_lib.calibration import StereoCalibration, calibrate_stereo
 from course_lib.detection import detect_board
 from course_lib.distortion import undistort_pixels
-from course_lib.drawing.calibration.photographs import BOARD, SIZE, grey_file
+from course_lib.drawing.calibration.photographs import (
+    BOARD,
+    LENS,
+    SIZE,
+    K,
+    board_photograph,
+    grey_file,
+)
 from course_lib.drawing.distortion.boards import PHOTOGRAPHS
+from course_lib.transforms import rotation_from_vector
+from data_generators.board_observations import observe_board
 
 Floats = NDArray[np.float64]
 Grey = NDArray[np.uint8]
 Colour = NDArray[np.uint8]
+#: px: so far from the edge of both computed pictures a whole board must stay.
+EDGE = 12
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,6 +84,34 @@ def stereo_boards() -> StereoBoards:
     """
     names = PHOTOGRAPHS, [name.replace("left", "right") for name in PHOTOGRAPHS]
     left, right = (tuple(grey_file(name) for name in side) for side in names)
+    return _calibrated(left, right)
+
+
+@cache
+def computed_boards() -> StereoBoards:
+    """Return thirteen computed pairs, which stand in for the photographs where there are none.
+
+    Returns
+    -------
+    StereoBoards
+        Photographs by two equal cameras 100 mm apart, corners and calibration.
+    """
+    rng = np.random.default_rng(11)
+    R, t = rotation_from_vector((0.007, 0.004, -0.003)), np.array([-100.0, 1, 0])
+    made: list[tuple[Grey, Grey]] = []
+    seen = observe_board(rng, BOARD.points(), K, LENS, SIZE, views=120, tilt=0.35)
+    for Q, q in seen.poses:
+        poses = (Q, q), (R @ Q, R @ q + t)
+        corners = np.array([(BOARD.points() @ A.T + a) @ K.T for A, a in poses])
+        pixels = corners[..., :2] / corners[..., 2:]
+        if min(pixels.min(), (SIZE - pixels).min()) > EDGE and len(made) < len(PHOTOGRAPHS):
+            left, right = (board_photograph(A, a, rng) for A, a in poses)
+            made.append((left, right))
+    return _calibrated(*zip(*made, strict=True))
+
+
+def _calibrated(left: tuple[Grey, ...], right: tuple[Grey, ...]) -> StereoBoards:
+    """Find the corners of pairs of photographs, and calibrate both cameras together."""
     ours, theirs = (np.array([detect_board(p, BOARD).points for p in s]) for s in (left, right))
     found = calibrate_stereo(BOARD.points(), list(ours), list(theirs), SIZE)
     return StereoBoards(left, right, ours, theirs, found)

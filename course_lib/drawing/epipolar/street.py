@@ -135,9 +135,7 @@ def _numbered(ax: Axes, at: Floats, number: int, role: str) -> None:
     """Mark a point with a ring and its number."""
     ax.plot(*at, "o", mfc="white", mec=ROLES[role], ms=7, mew=2)
     u, v = at
-    ax.text(
-        u + 11, v - 11, str(number), color=BLACK, bbox=PAPER, fontsize=9, ha="center", va="center"
-    )
+    write(ax, (u + 11, v - 11), str(number), bbox=PAPER, fontsize=9)
 
 
 @figure(
