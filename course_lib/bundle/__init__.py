@@ -12,16 +12,21 @@ from course_lib.bundle.control import Control
 from course_lib.bundle.covariance import Precision
 from course_lib.bundle.derivatives import reprojection_jacobian
 from course_lib.bundle.normals import solve_normal_block
+from course_lib.bundle.tables import NormalBlocks, move_block, normal_blocks, squared_error
 
 __all__ = [
     "Block",
     "BundleAdjustment",
     "Control",
+    "NormalBlocks",
     "Observations",
     "Precision",
     "bundle_adjust",
     "check_block",
     "connected_parts",
+    "move_block",
+    "normal_blocks",
     "reprojection_jacobian",
     "solve_normal_block",
+    "squared_error",
 ]

@@ -56,13 +56,13 @@ class Block:
             )
         K = check_numbers(self.K, "K")
         if K.ndim == 2:
-            K = np.repeat(K[None], len(R), axis=0)
+            K = np.repeat(check_intrinsics(K)[None], len(R), axis=0)
+        else:
+            for each in K:
+                check_intrinsics(each)
         if len(K) != len(R):
             raise ValueError(f"K must be one matrix or one for each of {len(R)}, got {len(K)}")
-        for each in K:
-            check_intrinsics(each)
-        for each in R:
-            check_rotation(each)
+        _check_rotations(R)
         for name, value in (("K", K), ("R", R), ("t", t), ("points", points)):
             object.__setattr__(self, name, value)
 
@@ -151,6 +151,16 @@ class Observations:
         """Return some of the observations: a mask or numbers, as NumPy takes them."""
         sigma = np.asarray(self.sigma)[keep]
         return Observations(self.cameras[keep], self.points[keep], self.pixels[keep], sigma)
+
+
+def _check_rotations(R: Array) -> None:
+    """Raise unless all of R, shape (v, 3, 3), are rotations; all at once, as long as they are."""
+    if R.shape[1:] == (3, 3) and np.abs(R).max(initial=0) <= 2:
+        apart = np.abs(R @ R.swapaxes(1, 2) - np.eye(3)).max(initial=0)
+        if apart <= 1e-6 and (np.linalg.det(R) > 0).all():
+            return
+    for each in R:
+        check_rotation(each)
 
 
 def check_numbers_of(value: ArrayLike, count: int | None, name: str) -> Indices:

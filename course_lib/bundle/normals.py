@@ -24,6 +24,8 @@ from course_lib.bundle.derivatives import Weighted
 from course_lib.bundle.structure import Structure
 from course_lib.checks import Array, DegenerateConfigurationError, check_numbers
 
+#: What is left of equations, as a share of what they began with, where rounding is all there is.
+ROUNDING = 1e-13
 #: Rows and columns of the six different numbers of a symmetric 3 × 3 matrix.
 LOWER = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 
@@ -240,9 +242,18 @@ def solve_normal_block(
         solved = np.linalg.solve(V, np.concatenate([W.transpose(0, 2, 1), g_p[..., None]], axis=2))
         by_camera, alone = solved[..., :-1], solved[..., -1]  # V⁻¹ Wᵀ and V⁻¹ g_p
         S = U - np.einsum("nck,nkd->cd", W, by_camera)
+        _check_regular(S, U)
         cameras = np.linalg.solve(S, np.einsum("nck,nk->c", W, alone) - g_c)
     except np.linalg.LinAlgError as error:
         raise DegenerateConfigurationError(
             "a block is singular: a point has too few rays, or nothing fixes the gauge"
         ) from error
     return cameras, -alone - by_camera @ cameras
+
+
+def _check_regular(S: Array, U: Array) -> None:
+    """Raise if what is left for the cameras is nothing but rounding in some direction."""
+    diagonal = np.diag(U)
+    size = np.sqrt(np.where(diagonal > 0, diagonal, 1))
+    if np.linalg.svd(S / np.outer(size, size), compute_uv=False).min() < ROUNDING:
+        raise np.linalg.LinAlgError("singular up to rounding")

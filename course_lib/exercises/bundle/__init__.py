@@ -1,0 +1,12 @@
+"""Chapter 10: the exercises on bundle adjustment and absolute orientation."""
+
+from course_lib.exercises.bundle.adjustment import BUNDLE_ADJUST, SOLVE_NORMAL_BLOCK
+from course_lib.exercises.bundle.poses import REPROJECTION_JACOBIAN, RESECT_CAMERA
+
+#: In the order of the lesson.
+EXERCISES = (
+    RESECT_CAMERA,
+    REPROJECTION_JACOBIAN,
+    SOLVE_NORMAL_BLOCK,
+    BUNDLE_ADJUST,
+)

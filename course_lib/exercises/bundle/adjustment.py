@@ -1,0 +1,186 @@
+"""Exercises of chapter 10 on many cameras: one step of the adjustment, and all of it."""
+
+from __future__ import annotations
+
+from course_lib.exercises.bundle import adjustment_misconceptions as wrong
+from course_lib.exercises.bundle import inputs, plain
+from course_lib.exercises.bundle import step_misconceptions as step
+from course_lib.judging import Close, Exercise, Misconception, Part
+
+SOLVE_NORMAL_BLOCK = Exercise(
+    "bundle",
+    plain.solve_normal_block,
+    points=10,
+    parts={
+        "one point": Part(inputs.one_point, cases=2, weight=4),
+        "five points": Part(inputs.many_points, cases=2, weight=6),
+    },
+    forbidden=("course_lib.bundle.normals.solve_normal_block",),
+    misconceptions=[
+        Misconception(
+            step.added_to_U,
+            "A point that may move holds the cameras less firmly. Does your sum make U larger?",
+        ),
+        Misconception(
+            step.points_ignored,
+            "You solve for the cameras as if no point could move. Where does the first equation "
+            "have the points?",
+        ),
+        Misconception(
+            step.each_alone,
+            "Cameras and points, each as if the others did not move. Where is W?",
+        ),
+        Misconception(
+            step.gradient_of_points_left_out,
+            "The left side for the cameras is right. What do the gradients of the points add on "
+            "the right?",
+        ),
+        Misconception(
+            step.gradient_of_points_subtracted,
+            "The left side for the cameras is right. Bring the points' share to the right: which "
+            "sign has it there?",
+        ),
+        Misconception(
+            step.uphill,
+            "Put your step into the first equation: which sign does the right side have?",
+            also=[step.cameras_uphill],
+        ),
+        Misconception(
+            step.points_uphill,
+            "The step of the cameras is right. Which sign has the gradient of a point?",
+            also=[step.all_points_uphill],
+        ),
+        Misconception(
+            step.cameras_put_in_with_plus,
+            "The step of the cameras is right. On which side of a point's equation does it stand "
+            "when you solve for the point?",
+        ),
+        Misconception(
+            step.points_do_not_follow,
+            "The step of the cameras is right. Do your points know that the cameras have moved?",
+        ),
+        Misconception(
+            step.V_not_inverted,
+            "The better a point is held, the less it gives way. Is your V inverted?",
+            also=[step.inverted_entry_by_entry, step.V_not_inverted_at_the_end],
+        ),
+        Misconception(
+            step.the_last_point_only,
+            "With one point it is right. Does each round of your loop add to what was there "
+            "before, or replace it?",
+            also=[step.the_first_point_only],
+        ),
+        Misconception(
+            step.U_once_for_each_point,
+            "With one point it is right. How often does U itself stand in the sum?",
+        ),
+        Misconception(
+            step.not_transposed,
+            "Compare your products with the equations, letter by letter. Is W transposed there?",
+            also=[step.not_transposed_for_cameras, step.not_transposed_for_points],
+        ),
+        Misconception(
+            step.points_first,
+            "Both steps are there. Which is to come first?",
+        ),
+        Misconception(
+            step.all_in_one_row,
+            "How many things does the function return, and how many rows has the table of points?",
+            also=[step.points_in_a_row, step.last_point_only_returned, step.cameras_only],
+        ),
+    ],
+)
+
+BUNDLE_ADJUST = Exercise(
+    "bundle",
+    plain.bundle_adjust,
+    points=10,
+    compare=Close(rtol=1e-6, atol=1e-7),
+    parts={
+        "a step that helps": Part(inputs.one_step, cases=1, weight=4),
+        "a step that does not": Part(inputs.a_step_refused, cases=1, weight=2),
+        "four steps": Part(inputs.four_steps, cases=1, weight=4),
+    },
+    forbidden=("course_lib.bundle.adjustment.bundle_adjust",),
+    misconceptions=[
+        Misconception(
+            wrong.not_damped,
+            "Pictures alone leave open where the whole block is. What makes the equations "
+            "solvable all the same?",
+        ),
+        Misconception(
+            wrong.only_cameras_damped,
+            "Cameras and points take part in a step. Are the diagonals of both damped?",
+            also=[wrong.only_points_damped],
+        ),
+        Misconception(
+            wrong.the_whole_blocks_damped,
+            "Which entries of a block does the damping change: all of them?",
+            also=[wrong.W_damped_too],
+        ),
+        Misconception(
+            wrong.ones_on_the_diagonal,
+            "A turn in rad and a move in metres differ by thousands in U. Does your damping add "
+            "the same to all, or a share of each?",
+        ),
+        Misconception(
+            wrong.one_left_out,
+            "With a tiny damping, does your diagonal stay nearly what it was?",
+        ),
+        Misconception(
+            wrong.step_subtracted,
+            "The gradients have got their minus already. In which direction do you go?",
+        ),
+        Misconception(
+            wrong.only_cameras_moved,
+            "A step has two parts. Do cameras and points both go to their new places?",
+            also=[wrong.only_points_moved],
+        ),
+        Misconception(
+            wrong.every_step_kept,
+            "One step is right. What do you do after a step that makes the error larger?",
+            also=[wrong.every_step_kept_and_undamped, wrong.what_was_tried_last],
+        ),
+        Misconception(
+            wrong.larger_errors_kept,
+            "Which steps do you keep: those after which the error is larger?",
+        ),
+        Misconception(
+            wrong.damping_never_raised,
+            "A refused step, tried again with the same damping, is the same step. What must "
+            "change?",
+            also=[wrong.damping_stays],
+        ),
+        Misconception(
+            wrong.damping_never_lowered,
+            "Your steps get shorter after a refusal. What makes them long again?",
+        ),
+        Misconception(
+            wrong.damping_the_wrong_way,
+            "A step was too long and was refused. Should the next one have more damping, or less?",
+        ),
+        Misconception(
+            wrong.another_first_damping,
+            "With which damping does the text begin?",
+        ),
+        Misconception(
+            wrong.one_step_only,
+            "One step is right. Does the loop go on, or does a `return` in it end it?",
+            also=[wrong.until_one_is_refused],
+        ),
+        Misconception(
+            wrong.one_step_more,
+            "How many steps does your loop try? Count them.",
+        ),
+        Misconception(
+            wrong.blocks_of_the_start,
+            "One step is right. Where are the blocks of the second one computed: at the start, or "
+            "where you are?",
+            also=[wrong.blocks_damped_again],
+        ),
+        Misconception(
+            wrong.points_only_returned,
+            "These are the points. What belongs to a block besides?",
+        ),
+    ],
+)

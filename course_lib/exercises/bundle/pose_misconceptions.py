@@ -1,0 +1,141 @@
+"""Wrong answers to the exercise of chapter 10 on the pose of a camera."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from course_lib import resection
+
+
+def parts_of(M: Any) -> Any:
+    """Return what is right for a right K⁻¹ P: U, S, Vᵀ and the last column."""
+    return *np.linalg.svd(M[:, :3]), M[:, 3]
+
+
+def pose_of(M: Any) -> Any:
+    U, S, Vt, last = parts_of(M)
+    return U @ Vt, last / S.mean()
+
+
+def without_K(points: Any, pixels: Any, K: Any) -> Any:
+    return np.linalg.inv(K) @ resection.camera_dlt(points, pixels)
+
+
+def K_left_out(points, pixels, K):
+    return pose_of(resection.camera_dlt(points, pixels))
+
+
+def K_not_inverted(points, pixels, K):
+    return pose_of(K @ resection.camera_dlt(points, pixels))
+
+
+def K_transposed(points, pixels, K):
+    return pose_of(K.T @ resection.camera_dlt(points, pixels))
+
+
+def K_from_the_right(points, pixels, K):
+    P = resection.camera_dlt(points, pixels)
+    M = np.column_stack([P[:, :3] @ np.linalg.inv(K), np.linalg.inv(K) @ P[:, 3]])
+    return pose_of(M)
+
+
+def K_for_the_rotation_only(points, pixels, K):
+    P = resection.camera_dlt(points, pixels)
+    U, S, Vt = np.linalg.svd(np.linalg.inv(K) @ P[:, :3])
+    return U @ Vt, P[:, 3] / S.mean()
+
+
+def K_for_the_rotation_only_not_divided(points, pixels, K):
+    P = resection.camera_dlt(points, pixels)
+    U, _, Vt = np.linalg.svd(np.linalg.inv(K) @ P[:, :3])
+    return U @ Vt, P[:, 3]
+
+
+def not_made_a_rotation(points, pixels, K):
+    M = without_K(points, pixels, K)
+    return M[:, :3], M[:, 3]
+
+
+def divided_but_no_rotation(points, pixels, K):
+    M = without_K(points, pixels, K)
+    scale = parts_of(M)[1].mean()
+    return M[:, :3] / scale, M[:, 3] / scale
+
+
+def lengths_put_back(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ np.diag(S) @ Vt, last / S.mean()
+
+
+def not_divided(points, pixels, K):
+    U, _, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt, last
+
+
+def divided_by_the_first(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt, last / S[0]
+
+
+def divided_by_the_last(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt, last / S[-1]
+
+
+def divided_by_the_sum(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt, last / S.sum()
+
+
+def divided_by_the_length_of_S(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt, last / np.linalg.norm(S)
+
+
+def divided_to_length_one(points, pixels, K):
+    U, _, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt, last / np.linalg.norm(last)
+
+
+def V_not_transposed(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt.T, last / S.mean()
+
+
+def U_for_the_rotation(points, pixels, K):
+    U, S, _, last = parts_of(without_K(points, pixels, K))
+    return U, last / S.mean()
+
+
+def camera_to_world(points, pixels, K):
+    R, t = pose_of(without_K(points, pixels, K))
+    return R.T, t
+
+
+def inverse_pose(points, pixels, K):
+    R, t = pose_of(without_K(points, pixels, K))
+    return R.T, -R.T @ t
+
+
+def centre_for_translation(points, pixels, K):
+    R, t = pose_of(without_K(points, pixels, K))
+    return R, -R.T @ t
+
+
+def translation_first(points, pixels, K):
+    R, t = pose_of(without_K(points, pixels, K))
+    return t, R
+
+
+def one_matrix(points, pixels, K):
+    R, t = pose_of(without_K(points, pixels, K))
+    return np.column_stack([R, t])
+
+
+def rotation_by_qr(points, pixels, K):
+    M = without_K(points, pixels, K)
+    _, S, _, last = parts_of(M)
+    Q, upper = np.linalg.qr(M[:, :3])
+    return Q * np.sign(np.diag(upper)), last / S.mean()

@@ -1,0 +1,154 @@
+"""Wrong answers to the exercise of chapter 10 on the normal equations."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+
+def left_for_cameras(
+    U: Any, W: Any, V: Any, g_c: Any, g_p: Any, by: float = -1, add: float = 1
+) -> Any:
+    """Return the step of the cameras, with chosen signs of the two sums."""
+    Y = W @ np.linalg.inv(V)
+    S = U + by * sum(Y @ W.swapaxes(1, 2))
+    return np.linalg.solve(S, -g_c + add * np.einsum("nck,nk->c", Y, g_p))
+
+
+def followed(W: Any, V: Any, g_p: Any, cameras: Any) -> Any:
+    return np.linalg.solve(V, (-g_p - np.einsum("nck,c->nk", W, cameras))[..., None])[..., 0]
+
+
+def added_to_U(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p, by=1)
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def points_ignored(U, W, V, g_c, g_p):
+    cameras = np.linalg.solve(U, -g_c)
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def each_alone(U, W, V, g_c, g_p):
+    return np.linalg.solve(U, -g_c), np.linalg.solve(V, -g_p[..., None])[..., 0]
+
+
+def gradient_of_points_left_out(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p, add=0)
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def gradient_of_points_subtracted(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p, add=-1)
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def uphill(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, -g_c, -g_p)
+    return cameras, followed(W, V, -g_p, cameras)
+
+
+def cameras_uphill(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, -g_c, g_p)
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def points_uphill(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, followed(W, V, -g_p, cameras)
+
+
+def cameras_put_in_with_plus(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, followed(W, V, g_p, -cameras)
+
+
+def all_points_uphill(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, -followed(W, V, g_p, cameras)
+
+
+def points_do_not_follow(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, np.linalg.solve(V, -g_p[..., None])[..., 0]
+
+
+def V_not_inverted(U, W, V, g_c, g_p):
+    Y = W @ V
+    S = U - sum(Y @ W.swapaxes(1, 2))
+    cameras = np.linalg.solve(S, -g_c + np.einsum("nck,nk->c", Y, g_p))
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def V_not_inverted_at_the_end(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, np.einsum("nij,nj->ni", V, -g_p - np.einsum("nck,c->nk", W, cameras))
+
+
+def inverted_entry_by_entry(U, W, V, g_c, g_p):
+    Y = W @ (1 / V)
+    S = U - sum(Y @ W.swapaxes(1, 2))
+    cameras = np.linalg.solve(S, -g_c + np.einsum("nck,nk->c", Y, g_p))
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def the_last_point_only(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W[-1:], V[-1:], g_c, g_p[-1:])
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def the_first_point_only(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W[:1], V[:1], g_c, g_p[:1])
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def U_once_for_each_point(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(len(W) * U, W, V, len(W) * g_c, g_p)
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def not_transposed(U, W, V, g_c, g_p):
+    """Leave out all transposes; where the shapes do not fit, NumPy says so."""
+    Y = W @ np.linalg.inv(V)
+    cameras = np.linalg.solve(U - sum(Y @ W), -g_c + np.einsum("nck,nk->c", Y, g_p))
+    return cameras, np.array(
+        [np.linalg.solve(V_j, -g - W_j @ cameras) for V_j, g, W_j in zip(V, g_p, W, strict=True)]
+    )
+
+
+def not_transposed_for_cameras(U, W, V, g_c, g_p):
+    Y = W @ np.linalg.inv(V)
+    cameras = np.linalg.solve(U - sum(Y @ W), -g_c + np.einsum("nck,nk->c", Y, g_p))
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def not_transposed_for_points(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, np.array(
+        [np.linalg.solve(V_j, -g - W_j @ cameras) for V_j, g, W_j in zip(V, g_p, W, strict=True)]
+    )
+
+
+def points_first(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return followed(W, V, g_p, cameras), cameras
+
+
+def all_in_one_row(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return np.concatenate([cameras, followed(W, V, g_p, cameras).ravel()])
+
+
+def points_in_a_row(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, followed(W, V, g_p, cameras).ravel()
+
+
+def cameras_only(U, W, V, g_c, g_p):
+    return left_for_cameras(U, W, V, g_c, g_p)
+
+
+def last_point_only_returned(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, followed(W, V, g_p, cameras)[-1]

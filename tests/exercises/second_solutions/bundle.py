@@ -1,0 +1,65 @@
+import math
+
+import numpy as np
+
+from course_lib import bundle, resection
+
+
+def resect_camera(points, pixels, K):
+    """The rotation by Newton's polar iteration, ρ from the trace of the symmetric factor."""
+    M = np.linalg.solve(K, resection.camera_dlt(points, pixels))
+    R = M[:, :3]
+    for _ in range(30):
+        R = (R + np.linalg.inv(R).T) / 2
+    return [R, M[:, 3] * 3 / np.trace(R.T @ M[:, :3])]
+
+
+def reprojection_jacobian(point, K, R, t):
+    """By differences: nudge each of the nine numbers, and look how far the pixel moves."""
+
+    def pixel(nudge):
+        (a, b, c), move, shift = nudge[:3], nudge[3:6], nudge[6:]
+        turn = np.array([[0, -c, b], [c, 0, -a], [-b, a, 0]])
+        q = R @ (point + shift - move) + t
+        q = q + turn @ q + turn @ turn @ q / 2
+        return (K @ q / q[2])[:2]
+
+    h = 1e-4
+    columns = []
+    for nudge in h * np.eye(9):
+        near, far = pixel(nudge) - pixel(-nudge), pixel(2 * nudge) - pixel(-2 * nudge)
+        columns.append((8 * near - far) / (12 * h))
+    J = np.array(columns).T
+    return J[:, :6], J[:, 6:]
+
+
+def solve_normal_block(U, W, V, g_c, g_p):
+    """All at once: the whole matrix, written out."""
+    c, n = len(U), len(V)
+    whole = np.zeros((c + 3 * n, c + 3 * n))
+    whole[:c, :c] = U
+    for j in range(n):
+        at = slice(c + 3 * j, c + 3 * j + 3)
+        whole[:c, at], whole[at, :c], whole[at, at] = W[j], W[j].T, V[j]
+    step = -np.linalg.inv(whole) @ np.concatenate([g_c, g_p.ravel()])
+    return step[:c], step[c:].reshape(n, 3)
+
+
+def bundle_adjust(K, R, t, points, pixels, steps):
+    """With a loop over the entries, and a recursion instead of a loop over the steps."""
+
+    def search(block, damping, left):
+        if left == 0:
+            return block
+        U, W, V, g_c, g_p = (part.copy() for part in bundle.normal_blocks(K, *block, pixels))
+        for i in range(len(U)):
+            U[i, i] += damping * U[i, i]
+        for each in V:
+            for i in range(3):
+                each[i, i] *= 1 + damping
+        there = bundle.move_block(*block, *solve_normal_block(U, W, V, g_c, g_p))
+        errors = [bundle.squared_error(K, *place, pixels) for place in (there, block)]
+        better = math.isfinite(errors[0]) and errors[0] < errors[1]
+        return search(there if better else block, damping * (0.1 if better else 10), left - 1)
+
+    return list(search((R, t, points), 1 / 1000, steps))
