@@ -81,9 +81,12 @@ def _other_than(got: Any, expected: NDArray[Any], hint: str = "") -> Mismatch:
 
 
 def _close(array: NDArray[Any], truth: NDArray[Any], rtol: float, atol: float) -> NDArray[Any]:
-    """Return what `np.isclose` does, with NaN equal to NaN, for single numbers in a tenth."""
+    """Return what `np.isclose` does, with NaN equal to NaN, in a fraction of its time."""
     if truth.ndim:
-        return np.asarray(np.isclose(array, truth, rtol=rtol, atol=atol, equal_nan=True))
+        with np.errstate(invalid="ignore"):  # inf - inf
+            near = np.abs(array - truth) <= atol + rtol * np.abs(truth)
+        near &= np.isfinite(truth)
+        return near | (array == truth) | (np.isnan(array) & np.isnan(truth))
     got, wanted = float(array), float(truth)
     near = math.isfinite(wanted) and abs(got - wanted) <= atol + rtol * abs(wanted)
     return np.asarray(got == wanted or near or (math.isnan(got) and math.isnan(wanted)))

@@ -12,6 +12,7 @@ from course_lib.judging import (
     UpToScale,
     YesOrNo,
 )
+from course_lib.judging.comparison import _close
 
 ROTATION = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
 POINTS = np.array([[1.0, 2], [3, 4], [5, 6]])
@@ -131,3 +132,15 @@ def test_decimal_comma_is_named():
     miss = Close()((1023, 5), 1023.5)
     assert "`1023.5`" in miss.message
     assert "point" not in Close()((1.5, 2.5), 1023.5).message
+
+
+def test_close_is_what_numpy_calls_close():
+    rng = np.random.default_rng(0)
+    special = np.array([0, 1, -1, np.nan, np.inf, -np.inf, 1e-9, 1e300])
+    got, truth = rng.choice(special, (2, 4000))
+    got = got * rng.choice([1, 1 + 1e-7, 1 + 1e-5], 4000) + rng.choice([0, 1e-10, 1e-8], 4000)
+    ours = _close(got, truth, 1e-6, 1e-9)
+    with np.errstate(invalid="ignore"):
+        numpys = np.isclose(got, truth, rtol=1e-6, atol=1e-9, equal_nan=True)
+    np.testing.assert_array_equal(ours, numpys)
+    assert 0 < ours.sum() < 4000

@@ -22,17 +22,15 @@ DEPTH_FROM_DISPARITY = Exercise(
         Misconception(
             wrong.offset_left_out,
             "Right without an offset. To what is it added?",
-            also=[wrong.offset_left_out_and_nothing_refused],
         ),
         Misconception(
             wrong.offset_subtracted,
             "Right without an offset. Is it added, or subtracted?",
-            also=[wrong.offset_subtracted_and_nothing_refused],
         ),
         Misconception(
             wrong.brackets_forgotten,
             "The offset is in px. Is it added to a length, or are brackets missing?",
-            also=[wrong.offset_added_to_the_depth, wrong.offset_added_to_the_depth_of_all],
+            also=[wrong.offset_added_to_the_depth],
         ),
         Misconception(
             wrong.depth_turned_around,
@@ -43,27 +41,22 @@ DEPTH_FROM_DISPARITY = Exercise(
             wrong.upside_down,
             "Your answer grows with the disparity. Which points are farther apart: near or far "
             "ones?",
-            also=[wrong.upside_down_and_nothing_refused],
         ),
         Misconception(
             wrong.far_is_large,
             "You multiply with the disparity. Does a point come nearer when its disparity grows?",
-            also=[wrong.far_is_large_and_nothing_refused],
         ),
         Misconception(
             wrong.baseline_left_out,
             "Your depth has no unit of length. Which of the inputs has one?",
-            also=[wrong.baseline_left_out_and_nothing_refused],
         ),
         Misconception(
             wrong.f_left_out,
             "Length divided by pixels: which other number in pixels should be there?",
-            also=[wrong.f_left_out_and_nothing_refused],
         ),
         Misconception(
             wrong.metres_returned,
             "In which unit is the baseline, and in which unit should the depth be?",
-            also=[wrong.metres_and_nothing_refused],
         ),
         Misconception(
             wrong.nothing_refused,

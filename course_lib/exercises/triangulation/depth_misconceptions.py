@@ -20,24 +20,12 @@ def offset_left_out(disparity, f, baseline, offset):
     return f * baseline / refused(disparity)
 
 
-def offset_left_out_and_nothing_refused(disparity, f, baseline, offset):
-    return f * baseline / disparity
-
-
 def offset_subtracted(disparity, f, baseline, offset):
     return f * baseline / refused(disparity - offset)
 
 
-def offset_subtracted_and_nothing_refused(disparity, f, baseline, offset):
-    return f * baseline / (disparity - offset)
-
-
 def offset_added_to_the_depth(disparity, f, baseline, offset):
     return f * baseline / refused(disparity) + offset
-
-
-def offset_added_to_the_depth_of_all(disparity, f, baseline, offset):
-    return f * baseline / disparity + offset
 
 
 def disparity_the_other_way(disparity, f, baseline, offset):
@@ -56,32 +44,16 @@ def upside_down(disparity, f, baseline, offset):
     return refused(disparity + offset) / (f * baseline)
 
 
-def upside_down_and_nothing_refused(disparity, f, baseline, offset):
-    return (disparity + offset) / (f * baseline)
-
-
 def far_is_large(disparity, f, baseline, offset):
     return f * baseline * refused(disparity + offset)
-
-
-def far_is_large_and_nothing_refused(disparity, f, baseline, offset):
-    return f * baseline * (disparity + offset)
 
 
 def baseline_left_out(disparity, f, baseline, offset):
     return f / refused(disparity + offset)
 
 
-def baseline_left_out_and_nothing_refused(disparity, f, baseline, offset):
-    return f / (disparity + offset)
-
-
 def f_left_out(disparity, f, baseline, offset):
     return baseline / refused(disparity + offset)
-
-
-def f_left_out_and_nothing_refused(disparity, f, baseline, offset):
-    return baseline / (disparity + offset)
 
 
 def brackets_forgotten(disparity, f, baseline, offset):
@@ -91,10 +63,6 @@ def brackets_forgotten(disparity, f, baseline, offset):
 
 def metres_returned(disparity, f, baseline, offset):
     return f * baseline / refused(disparity + offset) / 1000
-
-
-def metres_and_nothing_refused(disparity, f, baseline, offset):
-    return f * baseline / (disparity + offset) / 1000
 
 
 def nothing_refused(disparity, f, baseline, offset):
