@@ -1,0 +1,326 @@
+"""The numbers that the text of chapter 09 states are those that the library computes."""
+
+import numpy as np
+import pytest
+from lesson_text import lesson_text
+
+from course_lib import triangulation as tri
+from course_lib.drawing.explorers import bench
+from course_lib.drawing.explorers.disparity import disparity_frame
+from course_lib.drawing.triangulation import dense, methods, pair, plane, uncertainty
+from course_lib.exercises import all_exercises
+from course_lib.exercises.triangulation import plain
+
+TEXT = lesson_text("09_triangulation")
+says = TEXT.says
+MARKS = np.array(list(pair.MARKED.values()))  # point, picture, (u, v)
+CAMERAS = np.array([pair.P_LEFT, pair.P_RIGHT])
+EYE = np.array([[800.0, 0, 320, 0], [0, 800, 240, 0], [0, 0, 1, 0]])
+BESIDE = np.array([[800.0, 0, 320, -800], [0, 800, 240, 0], [0, 0, 1, 0]])
+PLAIN = np.array([[100.0, 0, 0, 0], [0, 100, 0, 0], [0, 0, 1, 0]])
+PLAIN_PAIR = np.stack([PLAIN, PLAIN - [[0, 0, 0, 100], [0, 0, 0, 0], [0, 0, 0, 0]]])
+
+
+def about(value, digits):
+    """Return what agrees with a printed number of so many decimals."""
+    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
+
+
+def read(frame, label):
+    (found,) = (r for r in frame.readouts if r.label == label)
+    return float(found.value)
+
+
+def length(points):
+    return float(np.linalg.norm(points[0] - points[1]))
+
+
+def true_points():
+    """Return the marked points from the true disparities of their left pixels."""
+    depths = dense.depths(pair.motorcycle().truth)
+    rays = np.column_stack([MARKS[:, 0], [1, 1]]) @ np.linalg.inv(pair.K_LEFT).T
+    u, v = MARKS[:, 0].astype(int).T
+    return rays * depths[v, u][:, None]
+
+
+def test_points_of_all_exercises():
+    says(f"**Points:** {sum(exercise.points for exercise in all_exercises('triangulation'))}")
+    graded = [e.name for e in all_exercises("triangulation")]
+    assert [TEXT.index(f"\n{name}\n") for name in graded[:-1]] == sorted(
+        TEXT.index(f"\n{name}\n") for name in graded[:-1]
+    )
+
+
+# First sitting
+
+
+def test_the_rays_that_miss():
+    o1, d1, o2, d2 = np.array([[0, 0, 0], [0, 0, 1], [1, 2, 0], [-1, 0, 5]], float)
+    assert np.cross(d1, d2).tolist() == [0, -1, 0]
+    A = np.column_stack([d1, -d2, np.cross(d1, d2)])
+    assert A.tolist() == [[0, 1, 0], [0, 0, -1], [1, -5, 0]]
+    np.testing.assert_allclose(np.linalg.solve(A, o2 - o1), [5, 1, -2])
+    one, other = plain.closest_points_on_rays(o1, d1, o2, d2)
+    np.testing.assert_allclose([one, other], [[0, 0, 5], [0, 2, 5]], atol=1e-12)
+    says("$\\lambda_2 = 1$, $\\mu = -2$ and $\\lambda_1 = 5$", "(0, 0, 5)$ and", "(0, 2, 5)$")
+    says("0\\,\\lambda_1 + 0\\,\\lambda_2 - 1\\,\\mu = 2", "1\\,\\lambda_1 - 5\\,\\lambda_2")
+
+
+def test_the_rays_of_the_example():
+    for P, pixel, centre, ray in (
+        (EYE, (520, 240), (0, 0, 0), (0.25, 0, 1)),
+        (BESIDE, (320, 240), (1, 0, 0), (0, 0, 1)),
+    ):
+        np.testing.assert_allclose(np.linalg.inv(P[:, :3]) @ [*pixel, 1], ray, atol=1e-12)
+        np.testing.assert_allclose(-np.linalg.inv(P[:, :3]) @ P[:, 3], centre, atol=1e-12)
+    found = plain.triangulate_midpoint(np.array([520, 240]), np.array([320, 240]), EYE, BESIDE)
+    np.testing.assert_allclose(found, [1, 0, 4], atol=1e-12)
+    assert (520 * EYE[2] - EYE[0]).tolist() == [-800, 0, 200, 0]
+    assert (320 * BESIDE[2] - BESIDE[0]).tolist() == [-800, 0, 0, 800]
+    assert (240 * EYE[2] - EYE[1]).tolist() == (240 * BESIDE[2] - BESIDE[1]).tolist()
+    assert (240 * EYE[2] - EYE[1]).tolist() == [0, -800, 0, 0]
+    says("(-800, 0, 200, 0)", "(-800, 0, 0, 800)", "(0, -800, 0, 0)", "meet in $(1, 0, 4)$")
+
+
+def test_the_motorcycle():
+    left, right = MARKS.transpose(1, 0, 2)
+    middle = tri.triangulate_midpoint(left, right, *CAMERAS)
+    assert middle[0].tolist() == [about(-543.2, 1), about(-118.3, 1), about(2523.6, 1)]
+    says("$(-543.2, -118.3, 2523.6)$ mm")
+    assert length(middle) == about(1241.7, 1)
+    says("**1241.7 mm** long")
+    inverse = [np.linalg.inv(K).T for K in (pair.K_LEFT, pair.K_RIGHT)]
+    rays = [np.column_stack([p, [1, 1]]) @ K for p, K in zip((left, right), inverse, strict=True)]
+    one, other = tri.closest_points_on_rays([0, 0, 0], rays[0], [pair.BASELINE, 0, 0], rays[1])
+    gaps = np.linalg.norm(one - other, axis=1)
+    assert (gaps > 1).all()
+    assert (gaps < 1.3).all()
+    says("misses by a bit more than 1 mm")
+    linear = tri.triangulate_linear([left, right], CAMERAS)
+    refined = tri.refine_point(linear, [left, right], CAMERAS)
+    assert (length(linear), length(refined)) == (about(1241.8, 1), about(1241.8, 1))
+    says("1241.8 mm: nearly the same", "For our motorcycle nothing changes: 1241.8 mm")
+    assert np.abs(left[:, 1] - right[:, 1]).tolist() == [0.5, 0.5]
+
+
+def test_a_pixel_at_one_and_at_ten_metres():
+    assert [1000 * Z / 800 for Z in (1, 10)] == [1.25, 12.5]
+    says("1.25 mm at a distance of 1 m", "12.5 mm at 10 m")
+
+
+def test_steps_to_the_best_point():
+    X, pixels = np.array([1.0, 0, 5]), np.array([[25.0, 0], [0, 0]])
+    u = (PLAIN @ [*X, 1])[0] / 5
+    assert u == 20
+    assert ((PLAIN[0, :3] - u * PLAIN[2, :3]) / 5).tolist() == [20, 0, -4]
+    depths = []
+    for _ in range(3):
+        X = plain.refine_point(X, pixels, PLAIN_PAIR)
+        depths.append(X[2])
+    assert depths == [about(3.75, 9), about(3.984, 3), about(4.000, 3)]
+    says("the depth goes from 5 to 3.75. The next steps lead to 3.984 and 4.000")
+    says("(20, 0, -4)", "20 - 25 = -5")
+
+
+def test_the_methods_compared():
+    side, unequal, close = methods.SETUPS
+    whole = {
+        s: {n: methods.rms_mm(X) for n, X in methods.answers(s).items()} for s in methods.SETUPS
+    }
+    assert max(whole[side].values()) / min(whole[side].values()) < 1.002
+    assert (whole[unequal]["midpoint"], whole[unequal]["refined"]) == (
+        about(6.97, 2),
+        about(6.24, 2),
+    )
+    assert whole[unequal]["linear"] == about(6.97, 2)
+    says("falls from 6.97 to 6.24 mm")
+    height = {n: methods.rms_mm(X[:, 2]) for n, X in methods.answers(unequal).items()}
+    assert (height["midpoint"], height["refined"]) == (about(3.15, 2), about(0.62, 2))
+    assert height["linear"] / height["refined"] == about(5, 0)
+    says("0.62 mm instead of 3.15 mm, *five times better*")
+    far = {n: methods.rms_mm(X[:, 1]) for n, X in methods.answers(unequal).items()}
+    assert max(far.values()) / min(far.values()) < 1.01  # what only the far camera sees
+    assert whole[close]["midpoint"] / 10 == about(24, 0)
+    assert whole[close]["refined"] / 10 == about(24, 0)
+    assert whole[close]["linear"] == max(whole[close].values()) < 1.1 * whole[close]["refined"]
+    assert methods.NOISE == 0.5
+    assert methods.TRIALS == 4000
+    says("24 cm off, whatever you do", "4000 tries each", "off by 0.5 px")
+
+
+def test_more_cameras():
+    arc = {n: methods.arc_errors(n, methods.ARC) for n in methods.COUNTS}
+    assert np.degrees([methods.ARC, 4 * methods.ARC]).round().tolist() == [14, 57]
+    for predicted, simulated in arc.values():
+        np.testing.assert_allclose(simulated, predicted, rtol=0.05)
+    (two, sideways_two), (three, sideways_three) = arc[2][0], arc[3][0]
+    assert (two, three) == (about(14.3, 1), about(14.3, 1))
+    assert (sideways_two, sideways_three) == (about(1.8, 1), about(1.5, 1))
+    assert arc[16][0][0] == about(8.2, 1)
+    assert methods.arc_errors(2, 4 * methods.ARC)[0][0] == about(3.7, 1)
+    says("does not get better at all (14.3 mm)", "1.8 mm become 1.5 mm", "down to 8.2 mm")
+    says("are at 3.7 mm")
+
+
+# Second sitting
+
+
+def test_disparity_and_depth():
+    depths = tri.depth_from_disparity([45, 51.5], pair.F, pair.BASELINE, pair.OFFSET)
+    assert depths.tolist() == [about(2523.9, 1), about(2325.2, 1)]
+    assert about(192031.7, 0) == pair.F * pair.BASELINE
+    says("$f = 994.978$ px, $b = 193.001$ mm and $o = 31.086$ px", "192\\,031/76.086 = 2523.9$ mm")
+    assert true_points()[:, 2].tolist() == [about(2529.1, 1), about(2326.0, 1)]
+    says("It says 2529.1 and 2326.0 mm; by hand we have 2523.9 and 2325.2 mm")
+
+
+def test_the_windows_of_the_explorer():
+    def at(u, v, reach):
+        frame = disparity_frame(u, v, reach)
+        return read(frame, "Disparity"), read(frame, "True disparity")
+
+    assert [at(97, 208, reach)[0] for reach in (4, 12, 1)] == [45.0, 45.0, 44.2]
+    says("45.0 px with 4 px and with 12 px, and 44.2 px with 1 px")
+    assert (at(570, 220, 4), at(570, 220, 12)[0]) == ((20.4, 20.0), 50.6)
+    says("20.4 px with 4 px; the truth is 20.0. With 12 px it is 50.6")
+    assert at(260, 70, 4) == (1.5, 12.3)
+    assert all(abs(at(260, 70, reach)[0] - 12.3) > 2 for reach in range(1, 13))
+    says("1.5 px instead of 12.3 px")
+
+
+def test_the_uncertainty_of_depth():
+    Z = float(tri.depth_from_disparity(45, pair.F, pair.BASELINE, pair.OFFSET))
+    assert 0.25 * np.sqrt(2) == about(0.354, 3)
+    sigma = tri.depth_uncertainty(Z, pair.F, pair.BASELINE, 0.25 * np.sqrt(2))
+    assert sigma == about(11.7, 1)
+    assert true_points()[0, 2] - Z == about(5.2, 1)
+    says("$\\sigma_d = 0.354$ px", "= 11.7$ mm. (It was off by 5.2 mm.)")
+    curve = tri.depth_uncertainty([2000, 4000], 1000, 200, 0.1 * np.sqrt(2))
+    assert curve.tolist() == [about(2.8, 1), about(11.3, 1)]
+    says("2.8 mm, then 11.3 mm", "2.8 mm at 2 m, 11.3 mm at 4 m")
+
+
+def test_the_design_rule():
+    sigma = 0.1 * np.sqrt(2)
+    assert sigma == about(0.1414, 4)
+    assert 2000**2 * sigma / (1000 * 1) == about(566, 0)
+    says("2000^2\\cdot 0.1414/(1000\\cdot 1) = 566$ mm")
+    for Z, f, b, pixel in (
+        (2000, 1000, 566, 0.1),
+        (2000, 2830, 200, 0.1),
+        (2000, 1000, 200, 0.035),
+        (1190, 1000, 200, 0.1),
+    ):
+        assert tri.depth_uncertainty(Z, f, b, np.sqrt(2) * pixel) == about(1.0, 1)
+    says(
+        "$b = 566$ mm | 1.0",
+        "$f = 2830$ px (a longer lens) | 1.0",
+        "0.035 px | 1.0",
+        "1.19 m | 1.0",
+    )
+    assert uncertainty.BASELINES == (100, 200, 566)
+
+
+def test_the_ellipsoid_of_the_example():
+    X = np.array([0.5, 0, 5])
+    images = PLAIN_PAIR @ [*X, 1]
+    assert (images[:, 0] / images[:, 2]).tolist() == [10, -10]
+    C = plain.point_covariance(X, PLAIN_PAIR, 0.2)
+    np.testing.assert_allclose(0.04 * np.linalg.inv(C), np.diag([800, 800, 8]), atol=1e-9)
+    sideways, _, depth = np.sqrt(np.diag(C))
+    assert (sideways, depth) == (about(0.007, 3), about(0.071, 3))
+    assert depth / sideways == pytest.approx(2 * 5 / 1)
+    assert tri.depth_uncertainty(5, 100, 1, 0.2 * np.sqrt(2)) == about(0.071, 3)
+    says(
+        "0.2/\\sqrt{800} = 0.007$ m", "0.2/\\sqrt 8 = 0.071$ m", "The ratio of both is $10 = 2Z/b$"
+    )
+    says("$(20, 0, -2)$ and $(20, 0, 2)$")
+
+
+def test_the_cloud_is_in_its_ellipse():
+    C = tri.point_covariance(uncertainty.POINT, uncertainty.PAIR, uncertainty.NOISE)
+    off = uncertainty.thousand_answers() - uncertainty.POINT
+    flat = C[np.ix_([0, 2], [0, 2])]
+    assert uncertainty.inside(off[:, [0, 2]], flat) == pytest.approx(1 - np.exp(-2), abs=0.03)
+    assert 100 * (1 - np.exp(-2)) == about(86.5, 1)
+    np.testing.assert_allclose(np.sqrt((off**2).mean(axis=0)), np.sqrt(np.diag(C)), rtol=0.06)
+    assert np.sqrt(C[2, 2] / C[0, 0]) == pytest.approx(8)
+    says("86.5 % of all answers", "2·4/1 = 8 times")
+
+
+def test_the_bench():
+    def at(b, Z, turn, third=False):
+        frame = bench.bench_frame(b, Z, 0, turn, 0.5, third)
+        return [read(frame, name) for name in ("Sideways", "In depth", "Height")]
+
+    assert at(1, 4, 0) == [1.77, 14.14, 1.77]
+    assert at(2, 4, 0) == [1.77, 7.07, 1.77]
+    says("from 14.14 to 7.07 mm. $\\sigma_X$ stays at 1.77 mm")
+    assert [r.label for r in bench.bench_frame(4, 4, 0, 0, 0.5, False).readouts] == [
+        "One ray is off by"
+    ]
+    assert at(4, 4, 10)[1] == 4.06
+    assert read(bench.bench_frame(4, 4, 0, 10, 0.5, False), "Z² √2 σ / (f b)") == 3.54
+    says("$\\sigma_Z = 4.06$ mm", "says 3.54 mm")
+    assert at(1, 4, 0, third=True) == [1.44, 14.14, 1.44]
+    says("from 1.77 to 1.44 mm")
+    assert at(4, 2, 45)[:2] == [1.77, 1.77]
+    assert read(bench.bench_frame(4, 2, 0, 45, 0.5, False), "Angle between the outer rays") == 90
+    says("turned by 45°, $\\sigma_X = \\sigma_Z = 1.77$ mm")
+
+
+def test_how_sure_the_length_is():
+    points = tri.triangulate_linear(MARKS.transpose(1, 0, 2), CAMERAS)
+    C = tri.point_covariance(points, CAMERAS, 0.25)
+    g = (points[0] - points[1]) / length(points)
+    sigma = np.sqrt(g @ C[0] @ g + g @ C[1] @ g)
+    assert (length(points), sigma) == (about(1241.8, 1), about(4.9, 1))
+    assert np.sqrt(C[:, 2, 2]).tolist() == [about(12, 0), about(10, 0)]
+    assert length(true_points()) == about(1244.3, 1)
+    assert length(true_points()) - length(points) == about(2.5, 1)
+    assert 2.5 / sigma == about(0.5, 1)
+    says("**1241.8 ± 4.9 mm.**", "12 and 10 mm only", "the length is 1244.3 mm: 2.5 mm more")
+
+
+def test_the_plane_of_light():
+    rays = np.array([[1.0, 0, -1], [0, 0, 1]])
+    met = plain.intersect_ray_plane(np.array([0, 0, 2]), rays, np.array([0, 0, 1, 0]))
+    assert met[0].tolist() == [2, 0, 0]
+    assert np.isnan(met[1]).all()
+    line = plane.laser_line()
+    points = tri.intersect_ray_plane(line.camera.centre, line.directions, line.plane)
+    assert np.sqrt(np.mean(plane._off(points) ** 2)) == about(0.13, 2)
+    assert plane.profile(np.array([10.0, 0.0])).tolist() == [12, 8]
+    assert np.linalg.norm(plane.EYE) == 500
+    says(
+        "the groove is 4 mm deep. Noise of 0.2 px leaves 0.13 mm",
+        "from 50 cm",
+        "12 mm with a groove",
+    )
+
+
+def test_dense_stereo():
+    how = dense.judged()
+    assert (100 * how["found"], 100 * how["bad"]) == (about(87, 0), about(6.2, 1))
+    assert how["median"] == pytest.approx(0.2, abs=0.005)
+    says(
+        "for 87 % of the pixels",
+        "**6.2 % are off by more than 2 px**",
+        "half of them by no more than about 0.2 px",
+    )
+    assert tri.depth_uncertainty(2500, pair.F, pair.BASELINE, 0.2) == about(6.5, 1)
+    says("At 2.5 m, 0.2 px is 6.5 mm")
+    assert np.isfinite(dense.dense_disparity()).sum() / 1e4 == about(32, 0)
+    says("320 000 points")
+    bad = np.abs(dense.dense_disparity() - pair.motorcycle().truth) > dense.BAD
+    edges = dense.kinds()["edges"]
+    assert 100 * (bad & edges).sum() / bad.sum() == about(82, 0)
+    known = np.isfinite(pair.motorcycle().truth) & np.isfinite(dense.dense_disparity())
+    assert 100 * bad[known & ~edges].mean() == about(1.4, 1)
+    says("**82 % of all bad pixels", "only 1.4 % are bad")
+    alone, smooth = (
+        [round(100 * share) for share in dense.wrong_shares(d).values()]
+        for d in (dense.block_matching(4), dense.dense_disparity())
+    )
+    for name, one, other in zip(("beside edges", "plain", "textured"), alone, smooth, strict=True):
+        says(f"| {name} | {one} % | {other} % |")
