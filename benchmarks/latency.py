@@ -66,6 +66,10 @@ EXPLORERS = {
         ("poses", "pose_explorer", "Which views tell what", "noise"),
         ("reprojection inspector", "reprojection_inspector", "Inspect the residuals", "du"),
     ),
+    "triangulation": (
+        ("triangulation bench", "bench_explorer", "Triangulation bench", "X"),
+        ("disparity", "disparity_explorer", "Disparity of a real pair", "v"),
+    ),
 }
 
 # What is on the screen: the number of the frame drawn, or the picture that Matplotlib made. New

@@ -73,6 +73,8 @@ EXPLORERS = {
         "Inspect the residuals",
         "Look at du",
     ),
+    "bench": ("triangulation", "bench_explorer", "Triangulation bench", "Baseline b"),
+    "disparity": ("triangulation", "disparity_explorer", "Disparity of a real pair", "Column u"),
 }
 #: Those with a photograph that the pointer reads; everything is tried on them.
 READABLE = ("aperture", "focal", "dolly", "depth", "corners")
