@@ -69,13 +69,15 @@ def normal_blocks(
     ----------
     Hartley & Zisserman, Multiple View Geometry, 2nd ed., appendix A6.3.
     """
-    position, seen = _seen(K, R, t, points, pixels)
-    image = position.image(seen)
+    block, table = _checked(K, R, t, points, pixels)
+    cameras, numbers = np.nonzero(np.isfinite(table).all(axis=2))
+    seen = Observations(cameras, numbers, table[cameras, numbers])
+    image = Position.of(block).image(seen)
     _check_in_front(image, seen)
     turns, moves = image.derivatives(np.ones(len(seen)))
     by_camera = np.concatenate([turns, -moves], axis=1).transpose(2, 0, 1)  # (m, 2, 6)
     by_point, residuals = moves.transpose(2, 0, 1), image.residuals.T
-    v, n, i, j = len(position.R), len(position.X), seen.cameras, seen.points
+    v, n, i, j = len(block.R), len(block.points), seen.cameras, seen.points
     U, W, V = np.zeros((v, 6, v, 6)), np.zeros((n, v, 6, 3)), np.zeros((n, 3, 3))
     g_c, g_p = np.zeros((v, 6)), np.zeros((n, 3))
     own = np.zeros((v, 6, 6))
@@ -108,9 +110,13 @@ def squared_error(
     TypeError, ValueError
         If a shape is wrong.
     """
-    position, seen = _seen(K, R, t, points, pixels)
-    total = float((position.image(seen).residuals ** 2).sum())
-    return total if np.isfinite(total) else np.inf
+    block, table = _checked(K, R, t, points, pixels)
+    q = np.einsum("vij,nj->vni", block.R, block.points) + block.t[:, None]
+    seen = np.isfinite(table).all(axis=2)
+    if (q[..., 2][seen] <= 0).any():
+        return np.inf
+    q = np.einsum("vij,vnj->vni", block.K, q)[seen]
+    return float(((q[:, :2] / q[:, 2:] - table[seen]) ** 2).sum())
 
 
 def move_block(
@@ -147,10 +153,9 @@ def move_block(
     return moved.R, -np.einsum("vij,vj->vi", moved.R, moved.C), moved.X
 
 
-def _seen(
+def _checked(
     K: ArrayLike, R: ArrayLike, t: ArrayLike, points: ArrayLike, pixels: ArrayLike
-) -> tuple[Position, Observations]:
-    """Return a table of pixels as a list of observations."""
+) -> tuple[Block, Array]:
     block = Block(np.asarray(K), np.asarray(R), np.asarray(t), np.asarray(points))
     table = np.asarray(pixels, dtype=np.float64)
     wanted = len(block.R), len(block.points), 2
@@ -158,8 +163,7 @@ def _seen(
         raise ValueError(
             f"pixels must have shape {wanted}, a row of points for each camera, got {table.shape}"
         )
-    cameras, numbers = np.nonzero(np.isfinite(table).all(axis=2))
-    return Position.of(block), Observations(cameras, numbers, table[cameras, numbers])
+    return block, table
 
 
 def _check_in_front(image: Image, seen: Observations) -> None:

@@ -97,9 +97,8 @@ BUNDLE_ADJUST = Exercise(
     points=10,
     compare=Close(rtol=1e-6, atol=1e-7),
     parts={
-        "a step that helps": Part(inputs.one_step, cases=1, weight=4),
-        "a step that does not": Part(inputs.a_step_refused, cases=1, weight=2),
-        "four steps": Part(inputs.four_steps, cases=1, weight=4),
+        "a step that helps": Part(inputs.a_step_that_helps, cases=1, weight=6),
+        "a step that does not": Part(inputs.a_step_that_does_not, cases=1, weight=4),
     },
     forbidden=("course_lib.bundle.adjustment.bundle_adjust",),
     misconceptions=[
@@ -116,7 +115,7 @@ BUNDLE_ADJUST = Exercise(
         Misconception(
             wrong.the_whole_blocks_damped,
             "Which entries of a block does the damping change: all of them?",
-            also=[wrong.W_damped_too],
+            also=[wrong.W_damped_too, wrong.one_added_to_all],
         ),
         Misconception(
             wrong.ones_on_the_diagonal,
@@ -138,8 +137,8 @@ BUNDLE_ADJUST = Exercise(
         ),
         Misconception(
             wrong.every_step_kept,
-            "One step is right. What do you do after a step that makes the error larger?",
-            also=[wrong.every_step_kept_and_undamped, wrong.what_was_tried_last],
+            "A step that helps is right. Where do you stay after one that makes the error larger?",
+            also=[wrong.every_step_kept_but_damping_raised],
         ),
         Misconception(
             wrong.larger_errors_kept,
@@ -149,38 +148,28 @@ BUNDLE_ADJUST = Exercise(
             wrong.damping_never_raised,
             "A refused step, tried again with the same damping, is the same step. What must "
             "change?",
-            also=[wrong.damping_stays],
         ),
         Misconception(
             wrong.damping_never_lowered,
-            "Your steps get shorter after a refusal. What makes them long again?",
+            "A step has helped. Should the next one be damped as much as this one?",
+            also=[wrong.damping_stays],
         ),
         Misconception(
             wrong.damping_the_wrong_way,
             "A step was too long and was refused. Should the next one have more damping, or less?",
         ),
         Misconception(
-            wrong.another_first_damping,
-            "With which damping does the text begin?",
+            wrong.damping_left_out_of_the_answer,
+            "Cameras and points are right. What else does the next step need to know?",
         ),
         Misconception(
-            wrong.one_step_only,
-            "One step is right. Does the loop go on, or does a `return` in it end it?",
-            also=[wrong.until_one_is_refused],
+            wrong.in_brackets_of_its_own,
+            "Your answer is a pair, the first of which is a block. Is each of the four a value of "
+            "its own?",
         ),
         Misconception(
-            wrong.one_step_more,
-            "How many steps does your loop try? Count them.",
-        ),
-        Misconception(
-            wrong.blocks_of_the_start,
-            "One step is right. Where are the blocks of the second one computed: at the start, or "
-            "where you are?",
-            also=[wrong.blocks_damped_again],
-        ),
-        Misconception(
-            wrong.points_only_returned,
-            "These are the points. What belongs to a block besides?",
+            wrong.the_step_returned,
+            "These are steps. Where do they lead to, and do they help?",
         ),
     ],
 )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -19,192 +18,142 @@ def damped(blocks: Any, damping: float) -> Any:
     return diagonal_larger(U, damping), W, diagonal_larger(V, damping), g_c, g_p
 
 
-def search(
-    K: Any,
-    R: Any,
-    t: Any,
-    points: Any,
-    pixels: Any,
-    steps: int,
-    damp: Any = damped,
-    sign: float = 1,
-    moves_cameras: float = 1,
-    moves_points: float = 1,
-    judge: Any = lambda there, here, start: there < here,
-    lower: float = 10,
-    higher: float = 10,
-    begin: float = 1e-3,
-) -> Any:
-    """Adjust a block rightly, but for what is chosen otherwise."""
-    damping, start = begin, bundle.squared_error(K, R, t, points, pixels)
-    here = start
-    for _ in range(steps):
-        blocks = damp(bundle.normal_blocks(K, R, t, points, pixels), damping)
-        cameras, moves = bundle.solve_normal_block(*blocks)
-        cameras, moves = sign * moves_cameras * cameras, sign * moves_points * moves
-        there = bundle.move_block(R, t, points, cameras, moves)
-        error = bundle.squared_error(K, *there, pixels)
-        if judge(error, here, start):
-            (R, t, points), here, damping = there, error, damping / lower
-        else:
-            damping = damping * higher
-    return R, t, points
+def stepped(
+    block: Any, damp: Any = damped, cameras: float = 1, points: float = 1
+) -> tuple[Any, Any, bool]:
+    """Return where we were, where the step leads, and whether it helps."""
+    K, R, t, X, pixels, damping = block
+    step, moves = bundle.solve_normal_block(*damp(bundle.normal_blocks(*block[:5]), damping))
+    there = bundle.move_block(R, t, X, cameras * step, points * moves)
+    return (
+        (R, t, X),
+        there,
+        bundle.squared_error(K, *there, pixels) < bundle.squared_error(*block[:5]),
+    )
 
 
-def not_damped(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, damp=lambda blocks, damping: blocks)
+def ended(stepped: Any, damping: float) -> Any:
+    """Return what is right after a step."""
+    here, there, helps = stepped
+    return (*there, damping / 10) if helps else (*here, damping * 10)
 
 
-def only_cameras_damped(K, R, t, points, pixels, steps):
+def not_damped(K, R, t, points, pixels, damping):
+    block = K, R, t, points, pixels, damping
+    return ended(stepped(block, lambda blocks, _: blocks), damping)
+
+
+def only_cameras_damped(K, R, t, points, pixels, damping):
     def damp(blocks: Any, damping: float) -> Any:
         return diagonal_larger(blocks[0], damping), *blocks[1:]
 
-    return search(K, R, t, points, pixels, steps, damp)
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
 
 
-def only_points_damped(K, R, t, points, pixels, steps):
+def only_points_damped(K, R, t, points, pixels, damping):
     def damp(blocks: Any, damping: float) -> Any:
         U, W, V, *gradients = blocks
         return U, W, diagonal_larger(V, damping), *gradients
 
-    return search(K, R, t, points, pixels, steps, damp)
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
 
 
-def the_whole_blocks_damped(K, R, t, points, pixels, steps):
+def the_whole_blocks_damped(K, R, t, points, pixels, damping):
     def damp(blocks: Any, damping: float) -> Any:
         U, W, V, *gradients = blocks
         return (1 + damping) * U, W, (1 + damping) * V, *gradients
 
-    return search(K, R, t, points, pixels, steps, damp)
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
 
 
-def W_damped_too(K, R, t, points, pixels, steps):
+def W_damped_too(K, R, t, points, pixels, damping):
     def damp(blocks: Any, damping: float) -> Any:
         U, W, V, *gradients = damped(blocks, damping)
         return U, (1 + damping) * W, V, *gradients
 
-    return search(K, R, t, points, pixels, steps, damp)
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
 
 
-def ones_on_the_diagonal(K, R, t, points, pixels, steps):
+def ones_on_the_diagonal(K, R, t, points, pixels, damping):
     def damp(blocks: Any, damping: float) -> Any:
         U, W, V, *gradients = blocks
         return U + damping * np.eye(len(U)), W, V + damping * np.eye(3), *gradients
 
-    return search(K, R, t, points, pixels, steps, damp)
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
 
 
-def one_left_out(K, R, t, points, pixels, steps):
+def one_added_to_all(K, R, t, points, pixels, damping):
     def damp(blocks: Any, damping: float) -> Any:
         U, W, V, *gradients = blocks
-        return diagonal_larger(U, damping - 1), W, diagonal_larger(V, damping - 1), *gradients
+        return U + 1 + damping, W, V + 1 + damping, *gradients
 
-    return search(K, R, t, points, pixels, steps, damp)
-
-
-def step_subtracted(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, sign=-1)
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
 
 
-def only_cameras_moved(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, moves_points=0)
-
-
-def only_points_moved(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, moves_cameras=0)
-
-
-def every_step_kept(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, judge=lambda there, here, start: True)
-
-
-def every_step_kept_and_undamped(K, R, t, points, pixels, steps):
-    def always(there: float, here: float, start: float) -> bool:
-        return True
-
-    return search(K, R, t, points, pixels, steps, judge=always, lower=1)
-
-
-def larger_errors_kept(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, judge=lambda there, here, start: there > here)
-
-
-def damping_stays(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, lower=1, higher=1)
-
-
-def damping_never_raised(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, higher=1)
-
-
-def damping_never_lowered(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, lower=1)
-
-
-def damping_the_wrong_way(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, lower=0.1, higher=0.1)
-
-
-def another_first_damping(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps, begin=1)
-
-
-def one_step_only(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, 1)
-
-
-def one_step_more(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps + 1)
-
-
-def until_one_is_refused(K, R, t, points, pixels, steps):
-    """Return what was tried last, or stop as soon as a step does not help."""
-    tried = [search(K, R, t, points, pixels, count) for count in range(steps + 1)]
-    for before, after in pairwise(tried):
-        if (before[2] == after[2]).all():
-            return before
-    return tried[-1]
-
-
-def what_was_tried_last(K, R, t, points, pixels, steps):
-    """Return the last trial, though it may have been refused."""
-    last: Any = None
-
-    def judge(there: float, here: float, start: float) -> bool:
-        return there < here
-
-    damping = 1e-3
-    for _ in range(steps):
-        blocks = damped(bundle.normal_blocks(K, R, t, points, pixels), damping)
-        last = bundle.move_block(R, t, points, *bundle.solve_normal_block(*blocks))
-        here = bundle.squared_error(K, R, t, points, pixels)
-        if judge(bundle.squared_error(K, *last, pixels), here, here):
-            (R, t, points), damping = last, damping / 10
-        else:
-            damping = damping * 10
-    return last
-
-
-def blocks_of_the_start(K, R, t, points, pixels, steps):
-    blocks = bundle.normal_blocks(K, R, t, points, pixels)
-    return search(K, R, t, points, pixels, steps, damp=lambda _, damping: damped(blocks, damping))
-
-
-def points_only_returned(K, R, t, points, pixels, steps):
-    return search(K, R, t, points, pixels, steps)[2]
-
-
-def blocks_damped_again(K, R, t, points, pixels, steps):
-    """Keep the damped blocks of a refused step, and damp them once more."""
-    kept: dict[str, Any] = {}
-
+def one_left_out(K, R, t, points, pixels, damping):
     def damp(blocks: Any, damping: float) -> Any:
-        before = kept.get("gradients")
-        if before is not None and (before == blocks[3]).all():
-            kept["blocks"] = damped(kept["blocks"], damping)
-        else:
-            kept["blocks"] = damped(blocks, damping)
-        kept["gradients"] = blocks[3]
-        return kept["blocks"]
+        return damped(blocks, damping - 1)
 
-    return search(K, R, t, points, pixels, steps, damp)
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
+
+
+def step_subtracted(K, R, t, points, pixels, damping):
+    block = K, R, t, points, pixels, damping
+    return ended(stepped(block, cameras=-1, points=-1), damping)
+
+
+def only_cameras_moved(K, R, t, points, pixels, damping):
+    return ended(stepped((K, R, t, points, pixels, damping), points=0), damping)
+
+
+def only_points_moved(K, R, t, points, pixels, damping):
+    return ended(stepped((K, R, t, points, pixels, damping), cameras=0), damping)
+
+
+def every_step_kept(K, R, t, points, pixels, damping):
+    _, there, _ = stepped((K, R, t, points, pixels, damping))
+    return *there, damping / 10
+
+
+def every_step_kept_but_damping_raised(K, R, t, points, pixels, damping):
+    _, there, helps = stepped((K, R, t, points, pixels, damping))
+    return *there, damping / 10 if helps else damping * 10
+
+
+def larger_errors_kept(K, R, t, points, pixels, damping):
+    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    return ended((here, there, not helps), damping)
+
+
+def damping_stays(K, R, t, points, pixels, damping):
+    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    return *(there if helps else here), damping
+
+
+def damping_never_raised(K, R, t, points, pixels, damping):
+    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    return *(there if helps else here), damping / 10 if helps else damping
+
+
+def damping_never_lowered(K, R, t, points, pixels, damping):
+    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    return *(there if helps else here), damping if helps else damping * 10
+
+
+def damping_the_wrong_way(K, R, t, points, pixels, damping):
+    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    return *(there if helps else here), damping * 10 if helps else damping / 10
+
+
+def damping_left_out_of_the_answer(K, R, t, points, pixels, damping):
+    return ended(stepped((K, R, t, points, pixels, damping)), damping)[:3]
+
+
+def in_brackets_of_its_own(K, R, t, points, pixels, damping):
+    *block, after = ended(stepped((K, R, t, points, pixels, damping)), damping)
+    return block, after
+
+
+def the_step_returned(K, R, t, points, pixels, damping):
+    blocks = damped(bundle.normal_blocks(K, R, t, points, pixels), damping)
+    return bundle.solve_normal_block(*blocks)

@@ -148,35 +148,36 @@ def solve_normal_block(U, W, V, g_c, g_p):
     return cameras, points
 
 
-def bundle_adjust(K, R, t, points, pixels, steps):
-    """Return cameras and points after some damped steps towards the smallest error.
-
-    The damping λ is 0.001 at first. Each step goes like this:
+def bundle_adjust(K, R, t, points, pixels, damping):
+    """Return cameras and points after one damped step, if it helps, and the next damping.
 
     1. ``U, W, V, g_c, g_p = bundle.normal_blocks(K, R, t, points, pixels)`` are the blocks where we
-       are. Damp them: multiply the diagonal of U, and that of each block of V, by ``1 + λ``.
+       are. Damp them: multiply the diagonal of U, and that of each block of V, by ``1 + damping``.
     2. ``bundle.solve_normal_block(U, W, V, g_c, g_p)`` gives the steps of cameras and points, and
        ``bundle.move_block(R, t, points, cameras, moves)`` gives R, t and points after these steps.
-    3. If ``bundle.squared_error(K, R, t, points, pixels)`` has become smaller there, go there, and
-       divide λ by 10. If not, stay where you are, and multiply λ by 10.
+    3. ``bundle.squared_error(K, R, t, points, pixels)`` says how large the error is. If it is
+       smaller there, return where we are then, and a tenth of the damping. If not, return where we
+       were, and ten times the damping.
 
     Parameters
     ----------
     K : ndarray, shape (3, 3)
         Intrinsics of all cameras, px.
     R, t : ndarray, shape (v, 3, 3) and (v, 3)
-        Poses of the cameras at the start, world to camera.
+        Poses of v cameras, world to camera.
     points : ndarray, shape (n, 3)
-        Points at the start.
+        Points of the world.
     pixels : ndarray, shape (v, n, 2)
         Where each camera sees each point.
-    steps : int
-        How many steps are tried.
+    damping : float
+        λ, the damping of this step.
 
     Returns
     -------
     R, t, points : ndarray, shape (v, 3, 3), (v, 3) and (n, 3)
-        The block at the end.
+        Where cameras and points are now.
+    damping : float
+        That of the next step.
 
     Examples
     --------
@@ -186,25 +187,20 @@ def bundle_adjust(K, R, t, points, pixels, steps):
     >>> t = np.array([[0.0, 0, 0], [-1, 0, 0]])
     >>> true = np.array([[0, 0, 4], [1, 0, 4], [0, 1, 5], [1, 1, 5], [0.5, 0.5, 3], [0, 0.5, 4]])
     >>> pixels = np.array([100 * (true + move)[:, :2] / true[:, 2:] for move in t])
-    >>> start = np.vstack([[[0, 0, 3]], true[1:]])
-    >>> for steps in (0, 1, 2):
-    ...     after = bundle_adjust(K, R, t, start, pixels, steps)
-    ...     print(round(bundle.squared_error(K, *after, pixels), 3), "px²")
+    >>> points, damping = np.vstack([[[0, 0, 3]], true[1:]]), 0.001
+    >>> for _ in range(3):
+    ...     print(round(bundle.squared_error(K, R, t, points, pixels), 3), "px²")
+    ...     R, t, points, damping = bundle_adjust(K, R, t, points, pixels, damping)
     69.444 px²
     2.593 px²
     0.008 px²
     """
-    damping = 1e-3
-    for _ in range(steps):
-        U, W, V, g_c, g_p = bundle.normal_blocks(K, R, t, points, pixels)
-        U = U * (1 + damping * np.eye(len(U)))
-        V = V * (1 + damping * np.eye(3))
-        cameras, moves = bundle.solve_normal_block(U, W, V, g_c, g_p)
-        there = bundle.move_block(R, t, points, cameras, moves)
-        here = bundle.squared_error(K, R, t, points, pixels)
-        if bundle.squared_error(K, *there, pixels) < here:
-            R, t, points = there
-            damping = damping / 10
-        else:
-            damping = damping * 10
-    return R, t, points
+    U, W, V, g_c, g_p = bundle.normal_blocks(K, R, t, points, pixels)
+    U = U * (1 + damping * np.eye(len(U)))
+    V = V * (1 + damping * np.eye(3))
+    cameras, moves = bundle.solve_normal_block(U, W, V, g_c, g_p)
+    there = bundle.move_block(R, t, points, cameras, moves)
+    here = bundle.squared_error(K, R, t, points, pixels)
+    if bundle.squared_error(K, *there, pixels) < here:
+        return *there, damping / 10
+    return R, t, points, damping * 10

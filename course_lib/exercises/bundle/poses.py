@@ -12,8 +12,8 @@ RESECT_CAMERA = Exercise(
     plain.resect_camera,
     points=8,
     parts={
-        "exact pixels": Part(inputs.exact_pixels, cases=2, weight=4),
-        "pixels with errors": Part(inputs.pixels_with_errors, cases=2, weight=4),
+        "exact pixels": Part(inputs.exact_pixels, cases=1, weight=4),
+        "pixels with errors": Part(inputs.pixels_with_errors, cases=1, weight=4),
     },
     forbidden=(
         "course_lib.orientation.space_resection.resect_camera",
@@ -95,8 +95,8 @@ REPROJECTION_JACOBIAN = Exercise(
     plain.reprojection_jacobian,
     points=10,
     parts={
-        "the camera is at the world's origin": Part(inputs.camera_at_the_origin, cases=2, weight=5),
-        "the camera is anywhere": Part(inputs.camera_anywhere, cases=2, weight=5),
+        "the camera is at the world's origin": Part(inputs.camera_at_the_origin, cases=1, weight=5),
+        "the camera is anywhere": Part(inputs.camera_anywhere, cases=1, weight=5),
     },
     forbidden=("course_lib.bundle.derivatives.reprojection_jacobian",),
     misconceptions=[

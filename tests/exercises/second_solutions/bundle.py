@@ -1,5 +1,3 @@
-import math
-
 import numpy as np
 
 from course_lib import bundle, resection
@@ -45,21 +43,16 @@ def solve_normal_block(U, W, V, g_c, g_p):
     return step[:c], step[c:].reshape(n, 3)
 
 
-def bundle_adjust(K, R, t, points, pixels, steps):
-    """With a loop over the entries, and a recursion instead of a loop over the steps."""
-
-    def search(block, damping, left):
-        if left == 0:
-            return block
-        U, W, V, g_c, g_p = (part.copy() for part in bundle.normal_blocks(K, *block, pixels))
-        for i in range(len(U)):
-            U[i, i] += damping * U[i, i]
-        for each in V:
-            for i in range(3):
-                each[i, i] *= 1 + damping
-        there = bundle.move_block(*block, *solve_normal_block(U, W, V, g_c, g_p))
-        errors = [bundle.squared_error(K, *place, pixels) for place in (there, block)]
-        better = math.isfinite(errors[0]) and errors[0] < errors[1]
-        return search(there if better else block, damping * (0.1 if better else 10), left - 1)
-
-    return list(search((R, t, points), 1 / 1000, steps))
+def bundle_adjust(K, R, t, points, pixels, damping):
+    """Entry by entry, with the whole matrix, and all written into one list."""
+    U, W, V, g_c, g_p = bundle.normal_blocks(K, R, t, points, pixels)
+    for i in range(len(U)):
+        U[i, i] += damping * U[i, i]
+    for block in V:
+        for i in range(3):
+            block[i, i] *= 1 + damping
+    steps = solve_normal_block(U, W, V, g_c, g_p)
+    answers = [[R, t, points, 10 * damping], [*bundle.move_block(R, t, points, *steps)]]
+    answers[1].append(0.1 * damping)
+    errors = [bundle.squared_error(K, *answer[:3], pixels) for answer in answers]
+    return answers[int(np.argmin(errors))]
