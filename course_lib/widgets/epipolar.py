@@ -15,9 +15,9 @@ def epipolar_explorer() -> Explorer:
     return Explorer(
         "The epipolar line of a point",
         [
-            Slider("u", "Point on the left", "u", "px", 0, SIZE[0] - 1, 238),
-            Slider("v", "Point on the left", "v", "px", 0, SIZE[1] - 1, 30),
-            Slider("Z", "Depth of the candidate", "Z", "m", 4, 60, 25, steps=80, digits=3),
+            Slider("u", "Point on the left", "u", "px", 0, SIZE[0] - 1, 250),
+            Slider("v", "Point on the left", "v", "px", 0, SIZE[1] - 1, 126),
+            Slider("Z", "Depth of the candidate", "Z", "m", 4, 60, 20, steps=160, digits=3),
             Choice("arrangement", "Cameras", tuple(EYES), TOWARDS),
         ],
         epipolar_frame,

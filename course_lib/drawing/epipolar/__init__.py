@@ -13,9 +13,11 @@ from course_lib.drawing.epipolar.photographs import (
 from course_lib.drawing.epipolar.real import (
     board_fundamental,
     corner_lines,
+    pose_errors,
     rows,
     strokes,
     two_answers,
+    two_halves,
 )
 from course_lib.drawing.epipolar.street import (
     candidates,
@@ -41,6 +43,7 @@ __all__ = [
     "lines_of_points",
     "motorcycle",
     "painted_wall",
+    "pose_errors",
     "rank",
     "rows",
     "stereo_boards",
@@ -48,5 +51,6 @@ __all__ = [
     "street_points",
     "strokes",
     "two_answers",
+    "two_halves",
     "von_gruber",
 ]

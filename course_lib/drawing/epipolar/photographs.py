@@ -143,6 +143,20 @@ def painted_wall() -> tuple[Colour, Colour]:
     return _colour_file("opencv_stereo/graf1.png"), _colour_file("opencv_stereo/graf3.png")
 
 
+@cache
+def wall_homography() -> Floats:
+    """Return the published homography of the painted wall, picture 1 to picture 2.
+
+    Raises
+    ------
+    Unavailable
+        If it is not here and cannot be downloaded.
+    """
+    text = data.fetch("opencv_stereo/H1to3p.xml").read_text(encoding="utf-8")
+    numbers = text.partition("<data>")[2].partition("</data>")[0].split()
+    return np.array(numbers, dtype=float).reshape(3, 3)
+
+
 def _colour_file(name: str) -> Colour:
     import cv2
 

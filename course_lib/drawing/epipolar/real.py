@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from course_lib.calibration import StereoCalibration
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame
-from course_lib.drawing.epipolar.photographs import StereoBoards
+from course_lib.drawing.epipolar.photographs import StereoBoards, wall_homography
 from course_lib.drawing.epipolar.street import stroke_of
 from course_lib.drawing.style import FULL_WIDTH, ROLES
 from course_lib.epipolar import (
+    eight_point,
     epipolar_lines,
     essential_from_pose,
     fundamental_from_essential,
@@ -19,6 +21,8 @@ from course_lib.epipolar import (
     rectify,
 )
 from course_lib.homogeneous import apply_homography
+from course_lib.tie_points import tie_points
+from course_lib.transforms import vector_from_rotation
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,6 +44,27 @@ def _show(ax: Axes, picture: NDArray[np.uint8], title: str) -> None:
     picture_frame(ax, (picture.shape[1], picture.shape[0]))
     ax.set_autoscale_on(False)
     ax.set_title(title, fontsize=11)
+
+
+def pose_errors(R: ArrayLike, t: ArrayLike, calibration: StereoCalibration) -> tuple[float, float]:
+    """Return how far a relative pose is from the calibrated one, in degrees.
+
+    Parameters
+    ----------
+    R, t : array_like, shape (3, 3) and (3,)
+        Left camera to right camera; the length of t does not matter.
+    calibration : StereoCalibration
+        The calibrated pair.
+
+    Returns
+    -------
+    tuple of float
+        The turn between both rotations, and the angle between both directions of t.
+    """
+    turn = np.linalg.norm(vector_from_rotation(np.asarray(R, float) @ calibration.R.T))
+    ours, theirs = (x / np.linalg.norm(x) for x in (np.asarray(t, float), calibration.t))
+    between = 2 * np.arcsin(min(1.0, float(np.linalg.norm(ours - theirs)) / 2))
+    return float(np.degrees(turn)), float(np.degrees(between))
 
 
 @figure(
@@ -169,6 +194,36 @@ def rows(boards: StereoBoards, view: int = 0) -> Figure:
                 ax.plot(*at, "o", mfc="none", mec=ROLES[role], ms=7, mew=1.8)
         ax.set(xlabel="u, and u + 640 on the right (px)")
     return fig
+
+
+def two_halves(
+    wall: NDArray[np.uint8], from_side: NDArray[np.uint8]
+) -> tuple[Floats, Floats, Floats, Floats]:
+    """Return fundamental matrices from two halves of the tie points of a plane.
+
+    Parameters
+    ----------
+    wall, from_side : ndarray, shape (640, 800, 3)
+        The pictures of the painted wall.
+
+    Returns
+    -------
+    F, G : ndarray, shape (3, 3)
+        From one half of the pairs, and from the other.
+    points1, points2 : ndarray, shape (N, 2)
+        All pairs that the wall's homography explains to 3 px.
+
+    Raises
+    ------
+    Unavailable
+        If the published homography is not here and cannot be downloaded.
+    """
+    one, other = tie_points(wall, from_side)
+    off = np.linalg.norm(apply_homography(one, wall_homography()) - other, axis=1)
+    one, other = one[off < 3], other[off < 3]
+    half = np.random.default_rng(0).permutation(len(one)) < len(one) // 2
+    F, G = (eight_point(one[which], other[which]) for which in (half, ~half))
+    return F, G, one, other
 
 
 @figure(
