@@ -63,3 +63,16 @@ class MatrixAndFits:
             if miss := compare(one, other):
                 return Mismatch(miss.kind, f"`{name}`: {miss.message}")
         return None
+
+
+@dataclass(frozen=True)
+class TheOtherWayRound:
+    """Two values in the wrong order, each compared as in the right one."""
+
+    compare: Comparison
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return why `got` is not `expected`, or None."""
+        if not isinstance(got, tuple | list) or not isinstance(expected, tuple | list):
+            return Mismatch("type", "Two values were expected.")
+        return self.compare(got[::-1], expected[::-1])

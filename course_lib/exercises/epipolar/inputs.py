@@ -53,14 +53,19 @@ def baseline(rng: Generator) -> Floats:
 
 
 def pair(rng: Generator, count: int) -> Pair:
-    """Draw two cameras and points in front of both, 4 to 12 m away."""
+    """Draw two cameras and points in front of both."""
     K1, K2, R, t = intrinsics(rng), intrinsics(rng), turn(rng), baseline(rng)
+    near1, near2 = seen_by_both(rng, R, t, count)
+    pixels1, pixels2 = (x @ K[:2, :2].T + K[:2, 2] for x, K in ((near1, K1), (near2, K2)))
+    return Pair(K1, K2, R, t, pixels1, pixels2, near1, near2)
+
+
+def seen_by_both(rng: Generator, R: Floats, t: Floats, count: int) -> tuple[Floats, Floats]:
+    """Draw normalised coordinates of points that are 4 to 12 m before camera 1."""
     near1 = rng.uniform([-0.3, -0.22], [0.3, 0.22], (count, 2))
     X1 = np.column_stack([near1, np.ones(count)]) * rng.uniform(4, 12, (count, 1))
     X2 = X1 @ R.T + t
-    near2 = X2[:, :2] / X2[:, 2:]
-    pixels1, pixels2 = (x @ K[:2, :2].T + K[:2, 2] for x, K in ((near1, K1), (near2, K2)))
-    return Pair(K1, K2, R, t, pixels1, pixels2, near1, near2)
+    return near1, X2[:, :2] / X2[:, 2:]
 
 
 def crossed(t: Floats, M: Floats) -> Floats:
