@@ -96,14 +96,16 @@ def methods_compared() -> Figure:
             list(errors), list(errors.values()), color=[ROLES[r] for r in METHODS.values()]
         )
         digits = 0 if max(errors.values()) > 100 else 2
-        for bar, value in zip(bars, errors.values(), strict=True):
-            at = bar.get_x() + bar.get_width() / 2, value * 1.02
-            ax.text(*at, f"{value:.{digits}f}", ha="center", va="bottom", fontsize=10)
+        low = -0.04 * max(errors.values())
+        for bar, (name, value) in zip(bars, errors.items(), strict=True):
+            x = bar.get_x() + bar.get_width() / 2
+            ax.text(x, value * 1.02, f"{value:.{digits}f}", ha="center", va="bottom", fontsize=10)
+            ax.text(x, low, name, ha="center", va="top", rotation=90, fontsize=10)
         ax.set_title(f"{setup}\n{part}", fontsize=10)
-        ax.set_ylim(0, 1.14 * max(errors.values()))
-        ax.tick_params(axis="x", labelrotation=40, labelsize=10, length=0)
-        ax.set_yticks([])
-        ax.spines["left"].set_visible(False)
+        ax.set_ylim(-0.42 * max(errors.values()), 1.14 * max(errors.values()))
+        ax.axhline(0, color=GREY, lw=0.8)
+        ax.set(xticks=[], yticks=[])
+        ax.spines[:].set_visible(False)
     axes[0].set_ylabel("RMS error (mm)")
     return fig
 

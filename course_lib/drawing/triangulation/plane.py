@@ -102,11 +102,10 @@ def laser_profile(yours: Any = None) -> Figure:
     else:
         good: NDArray[np.bool_] = _drawable(points)
         cut.plot(*points[good][:, [0, 2]].T, ".", color=ROLES["object"], ms=4)
-        off = 1000 * float(np.sqrt(np.mean(_off(points[good]) ** 2))) if good.any() else np.nan
-        text = (
-            f"yours: {off:.0f} µm from the rail (RMS)" if good.all() else "yours: not all are here"
-        )
-        cut.text(0, 18, text, ha="center")
+        text = "not all are here"
+        if good.all():
+            text = f"{1000 * np.sqrt(np.mean(_off(points) ** 2)):.0f} µm from the rail (RMS)"
+        cut.text(0, 18, f"yours: {text}", ha="center")
     cut.set(xlim=(-62, 62), ylim=(-2, 22), title="profile", xlabel="x (mm)", ylabel="z (mm)")
     return fig
 
@@ -118,11 +117,10 @@ def _drawable(points: Floats) -> NDArray[np.bool_]:
 
 
 def _off(points: Floats) -> Floats:
-    """Return how far points are above the rail; beside its upright steps this says nothing."""
-    x, _, z = points.T
-    sound: NDArray[np.bool_] = np.abs(np.abs(x) - GROOVE) > 0.5
-    away: Floats = z - profile(x)
-    return away[sound]
+    """Return how far points are from the laser's line on the rail; in height, but for its steps."""
+    x, y, z = points.T
+    step = np.abs(np.abs(x) - GROOVE) < 0.5
+    return np.asarray(np.hypot(np.where(step, 0, z - profile(x)), y))
 
 
 def _rail(ax: Axes, camera: Camera) -> None:

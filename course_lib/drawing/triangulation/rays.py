@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.camera import Camera
-from course_lib.drawing.diagrams import Floats, figure, panels, same_shape, sketch, write
+from course_lib.drawing.diagrams import Floats, figure, fit, panels, same_shape, sketch, write
 from course_lib.drawing.space import onlooker
 from course_lib.drawing.style import FULL_WIDTH, ROLES
 from course_lib.triangulation import closest_points_on_rays
@@ -39,7 +39,7 @@ def two_rays(yours: Any = None) -> Figure:
     Figure
         Rays, the way between them, and stars at a student's points.
     """
-    fig, ax = panels(1, 1, (FULL_WIDTH, 3.5))
+    fig, ax = panels(1, 1, (FULL_WIDTH * 0.75, 3.6))
     sketch(ax)
     view = onlooker((6.5, -3.2, 2.6), (0.3, 3.0, -1.0), 760, (640, 400))
     ends = ORIGINS + DIRECTIONS * (LENGTH / DIRECTIONS[:, 2:])
@@ -53,6 +53,7 @@ def two_rays(yours: Any = None) -> Figure:
     _named(ax, view, one, other)
     for point in _pair(yours):
         _spot(ax, view, point, "ray", "*", 17)
+    fit(ax, 10, 630, -440, -40)
     return fig
 
 
