@@ -1,0 +1,286 @@
+"""Judge a set-up: whether this camera with this lens, standing there, measures what is wanted.
+
+Use these functions through `course_lib.planning`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from course_lib.camera import Camera, camera_at
+from course_lib.checks import Array, check_length, check_not_negative
+from course_lib.optics import airy_diameter, circle_of_confusion, image_distance, magnification
+from course_lib.planning.catalogue import CameraModel, LensModel
+from course_lib.planning.depth import ApertureWindow, aperture_window
+from course_lib.planning.view import Box, box_in_view, depth_range, object_resolution
+from course_lib.sensor import motion_blur_pixels
+from course_lib.triangulation import point_covariance
+
+WAVELENGTH_UM = 0.55  # green
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """What a measurement asks of its cameras.
+
+    Attributes
+    ----------
+    box : Box
+        What must be in the picture and sharp.
+    normal : ndarray, shape (3,)
+        Direction across the surface that is measured.
+    motion : float
+        How far the object moves to each side, m.
+    speed : float
+        Of its fastest point, m/s.
+    resolution : float
+        The most that one pixel may cover on the surface, m.
+    frame_rate : float
+        Pictures a second, 1/s.
+    blur_px : float
+        Largest spot, by defocus or by diffraction, and longest smear that count as sharp, px.
+    sigma : float
+        Largest standard deviation of a point in space, m; ``np.inf`` with one camera.
+    """
+
+    box: Box
+    normal: Array
+    resolution: float
+    motion: float = 0.0
+    speed: float = 0.0
+    frame_rate: float = 1.0
+    blur_px: float = 1.5
+    sigma: float = np.inf
+
+
+@dataclass(frozen=True, eq=False)
+class Setup:
+    """A camera with a lens somewhere, and how both are set.
+
+    Attributes
+    ----------
+    camera : CameraModel
+    lens : LensModel
+    eye, target : ndarray, shape (3,)
+        Where the lens is, and where it looks, m.
+    N : float
+        f-number.
+    exposure_time : float
+        s.
+    focus_distance : float
+        From the lens along its axis, m.
+    coefficients : tuple of float
+        Distortion of the lens, in OpenCV's order; none unless given.
+    up : tuple of float
+        Direction in the world that is upwards in the picture.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If the lens does not fit or a setting is not positive.
+    """
+
+    camera: CameraModel
+    lens: LensModel
+    eye: Array
+    target: Array
+    N: float
+    exposure_time: float
+    focus_distance: float
+    coefficients: tuple[float, ...] = ()
+    up: tuple[float, float, float] = (0, 0, 1)
+
+    def __post_init__(self) -> None:
+        for name in ("N", "exposure_time", "focus_distance"):
+            object.__setattr__(self, name, check_length(getattr(self, name), name))
+        if self.camera.mount != self.lens.mount:
+            raise ValueError(
+                f"{self.lens.name} has the mount {self.lens.mount}, {self.camera.name} has "
+                f"{self.camera.mount}: choose a lens that fits"
+            )
+
+    @property
+    def view(self) -> Camera:
+        """The pinhole camera of the set-up: its image distance is that of the focus."""
+        distance = image_distance(self.lens.f_mm, 1000 * self.focus_distance)
+        K = self.camera.intrinsics(self.lens)
+        K[:2, :2] *= float(distance) / self.lens.f_mm
+        return camera_at(self.eye, self.target, K, self.camera.image_size, self.up)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One demand: whether it is met, and why.
+
+    Attributes
+    ----------
+    name : str
+        Of the demand.
+    met : bool
+    value, limit : float
+        What the set-up gives, and what is asked for, in `unit`.
+    unit : str
+    reason : str
+        In a sentence.
+    remedy : str
+        What would make it work; empty if it does.
+    """
+
+    name: str
+    met: bool
+    value: float
+    limit: float
+    unit: str
+    reason: str
+    remedy: str = ""
+
+
+def judge_setup(setup: Setup, task: Task, second: Setup | None = None) -> list[Verdict]:
+    """Return a verdict on each demand of a task.
+
+    Parameters
+    ----------
+    setup : Setup
+        The camera.
+    task : Task
+        The demands.
+    second : Setup, optional
+        The other camera of a pair; only the last verdict looks at it.
+
+    Returns
+    -------
+    list of Verdict
+        In view, resolution, depth of field, diffraction, closest focus, motion blur, frame rate
+        and, with a pair, the expected standard deviation in space.
+
+    Raises
+    ------
+    ValueError
+        If the box reaches behind the camera so that it has no depth range.
+    """
+    verdicts = [in_view(setup, task), resolution(setup, task)]
+    verdicts += [depth_of_field(setup, task), diffraction(setup, task), closest_focus(setup, task)]
+    verdicts += [motion_blur(setup, task), frame_rate(setup, task)]
+    return verdicts + ([expected_sigma(setup, second, task)] if second else [])
+
+
+def in_view(setup: Setup, task: Task) -> Verdict:
+    """Return whether the box is in the picture wherever it moves."""
+    seen = box_in_view(task.box.with_motion(task.motion), setup.view, setup.coefficients)
+    room = float(seen.margins.min())
+    remedy = "" if seen.inside else "Stand farther off, take a shorter lens, or turn the camera."
+    return Verdict("in view", seen.inside, room, 0.0, "px", seen.reason, remedy)
+
+
+def resolution(setup: Setup, task: Task) -> Verdict:
+    """Return whether a pixel is fine enough on the surface, at its farthest place."""
+    corners = task.box.corners
+    depth = corners @ setup.view.R[2] + setup.view.t[2]
+    _, coarsest = object_resolution(corners[depth.argmax()], task.normal, setup.view)
+    met = coarsest <= task.resolution
+    reason = f"A pixel covers up to {1000 * coarsest:.3g} mm of the surface."
+    remedy = "" if met else "Come nearer, take a longer lens or a camera with more pixels."
+    limit = 1000 * task.resolution
+    return Verdict("resolution", met, 1000 * coarsest, limit, "mm/px", reason, remedy)
+
+
+def blur_of(setup: Setup, Z: ArrayLike) -> Array:
+    """Return the diameter of the spot of defocus of points at a depth, px."""
+    Z_mm, focus = 1000 * np.asarray(Z, float), 1000 * setup.focus_distance
+    spot = circle_of_confusion(Z_mm, focus, setup.lens.f_mm, setup.N)
+    return np.asarray(spot * 1000 / setup.camera.pitch_um)
+
+
+def depth_of_field(setup: Setup, task: Task) -> Verdict:
+    """Return whether the whole box, at rest, is sharp: the spot of defocus at its two ends."""
+    near, far = _depths(setup, task)
+    spots = blur_of(setup, [near, far])
+    worst, met = float(spots.max()), bool(spots.max() <= task.blur_px * (1 + 1e-12))
+    end = "near" if spots[0] > spots[1] else "far"
+    reason = f"At the {end} end of the box a point makes a spot of {worst:.2g} px."
+    window = _window(setup, task)
+    remedy = f"Focus on {window.focus_distance:.3g} m and stop down to f/{window.least:.2g}."
+    if not window.is_open:
+        remedy = "No f-number does it: diffraction is larger there. Turn the box, or stand farther."
+    return Verdict("depth of field", met, worst, task.blur_px, "px", reason, "" if met else remedy)
+
+
+def diffraction(setup: Setup, task: Task) -> Verdict:
+    """Return whether the Airy disk is small enough."""
+    m = float(magnification(setup.lens.f_mm, 1000 * setup.focus_distance))
+    airy = float(airy_diameter(WAVELENGTH_UM / 1000, setup.N * (1 + m))) * 1000
+    disk, met = airy / setup.camera.pitch_um, airy <= task.blur_px * setup.camera.pitch_um
+    reason = f"At f/{setup.N:g} the Airy disk measures {disk:.2g} px."
+    most = setup.N * task.blur_px / disk
+    remedy = "" if met else f"Open the aperture to f/{most:.2g} or wider."
+    return Verdict("diffraction", met, disk, task.blur_px, "px", reason, remedy)
+
+
+def closest_focus(setup: Setup, task: Task) -> Verdict:
+    """Return whether the lens can be focused on so short a distance."""
+    closest = setup.lens.closest
+    met = setup.focus_distance >= closest
+    reason = f"The focus is at {setup.focus_distance:.3g} m; this lens begins at {closest:g} m."
+    remedy = "" if met else "Stand farther off, or take a lens or an extension ring for close work."
+    return Verdict("closest focus", met, setup.focus_distance, closest, "m", reason, remedy)
+
+
+def motion_blur(setup: Setup, task: Task) -> Verdict:
+    """Return whether the fastest point is smeared too far, where a pixel is finest."""
+    check_not_negative(task.speed, "speed")
+    near, _ = _depths(setup, task)
+    pixel = near / setup.view.K[0, 0]  # across the line of sight
+    smear = float(motion_blur_pixels(task.speed, setup.exposure_time, pixel))
+    met = smear <= task.blur_px
+    reason = f"In 1/{1 / setup.exposure_time:.0f} s the fastest point moves by {smear:.2g} px."
+    longest = task.blur_px * pixel / task.speed if task.speed else np.inf
+    remedy = "" if met else f"Expose for 1/{np.ceil(1 / longest):.0f} s or less, with more light."
+    return Verdict("motion blur", met, smear, task.blur_px, "px", reason, remedy)
+
+
+def frame_rate(setup: Setup, task: Task) -> Verdict:
+    """Return whether the camera takes pictures fast enough, the exposure included."""
+    fastest = min(setup.camera.frame_rate, 1 / setup.exposure_time)
+    met = fastest >= task.frame_rate
+    why = "its maker's limit" if fastest == setup.camera.frame_rate else "the exposure's limit"
+    reason = f"The camera takes {fastest:.3g} pictures a second, {why}."
+    remedy = "" if met else "Expose for less time, read fewer rows, or take a faster camera."
+    return Verdict("frame rate", met, fastest, task.frame_rate, "1/s", reason, remedy)
+
+
+def expected_sigma(setup: Setup, second: Setup, task: Task, sigma_px: float = 0.1) -> Verdict:
+    """Return whether two cameras together place points well enough.
+
+    Parameters
+    ----------
+    setup, second : Setup
+        The pair.
+    task : Task
+        The demands.
+    sigma_px : float
+        Standard deviation with which a point is found in a picture, px.
+    """
+    cameras = np.array([setup.view.P, second.view.P])
+    spread = np.linalg.eigvalsh(point_covariance(task.box.corners, cameras, sigma_px))
+    worst = float(np.sqrt(spread.max()))
+    met = worst <= task.sigma
+    reason = f"A corner of the box is known to ± {1000 * worst:.2g} mm in its worst direction."
+    remedy = "" if met else "Move the cameras farther apart, or nearer to the object."
+    return Verdict("expected σ", met, 1000 * worst, 1000 * task.sigma, "mm", reason, remedy)
+
+
+def _depths(setup: Setup, task: Task) -> tuple[float, float]:
+    near, far = depth_range(task.box, setup.view)
+    if near <= 0:
+        raise ValueError(
+            f"the box reaches {-near:.3g} m behind the camera: move the camera away from it"
+        )
+    return near, far
+
+
+def _window(setup: Setup, task: Task) -> ApertureWindow:
+    near, far = _depths(setup, task)
+    return aperture_window(setup.lens.f_mm, near, far, task.blur_px * setup.camera.pitch_um)
