@@ -12,8 +12,6 @@ from course_lib.checks import Array, DegenerateConfigurationError, check_length
 from course_lib.tie_points.features import Features, find_features
 
 Pairs = NDArray[np.intp]
-#: So many descriptors are compared with all others at once.
-ROWS = 1000
 
 
 def match_features(one: Features, other: Features, ratio: float = 0.8) -> Pairs:
@@ -98,37 +96,26 @@ def tie_points(picture1: ArrayLike, picture2: ArrayLike, ratio: float = 0.8) -> 
 
 def _alike(one: NDArray[np.float32], other: NDArray[np.float32], ratio: float) -> Pairs:
     """Return the pairs of rows that are each other's nearest and pass the test, nearest first."""
-    nearest, forward = np.empty(len(one), np.intp), np.empty((2, len(one)), np.float32)
-    back_nearest = np.zeros(len(other), np.intp)
-    backward = np.full((2, len(other)), np.inf, np.float32)
-    for start in range(0, len(one), ROWS):
-        part = slice(start, start + ROWS)
-        squares = _squares(one[part], other)
-        nearest[part], forward[:, part] = _two_least(squares)
-        rows, found = _two_least(squares.T)
-        closer = found[0] < backward[0]
-        back_nearest[closer] = rows[closer] + start
-        backward = np.sort(np.concatenate([backward, found]), axis=0)[:2]
-    clear, back_clear = (least <= ratio**2 * second for least, second in (forward, backward))
-    rows = np.arange(len(one))
-    kept = (back_nearest[nearest] == rows) & clear & back_clear[nearest]
-    order = np.argsort(forward[0][kept], kind="stable")
+    squares = _squares(one, other)
+    rows, nearest = np.arange(len(one)), squares.argmin(axis=1)
+    least = squares[rows, nearest]
+    mutual = least == squares.min(axis=0)[nearest]
+    rows, nearest, least = rows[mutual], nearest[mutual], least[mutual]
+    # Without the nearest ones, the second nearest is the least.
+    forward, backward = squares[rows], squares[:, nearest]
+    forward[np.arange(len(rows)), nearest] = np.inf
+    backward[rows, np.arange(len(rows))] = np.inf
+    second = np.minimum(forward.min(axis=1), backward.min(axis=0))
+    kept = least <= ratio**2 * second
+    order = np.argsort(least[kept], kind="stable")
     return np.stack([rows[kept], nearest[kept]], axis=1)[order]
 
 
 def _squares(one: NDArray[np.float32], other: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return squared distances of all rows from all others; exact, as all numbers are whole."""
     sums = (one**2).sum(axis=1)[:, None] + (other**2).sum(axis=1)
-    return np.asarray(sums - 2 * (one @ other.T))
-
-
-def _two_least(squares: NDArray[np.float32]) -> tuple[Pairs, NDArray[np.float32]]:
-    """Return for each row where its least number is, and its two least numbers, (2, n)."""
-    where = squares.argmin(axis=1)
-    count = min(2, squares.shape[1])
-    least = np.full((2, len(squares)), np.inf, np.float32)
-    least[:count] = np.sort(np.partition(squares, count - 1)[:, :count], axis=1).T
-    return where, least
+    sums -= 2 * (one @ other.T)
+    return np.asarray(sums)
 
 
 def _once_each(pairs: Pairs, one: Features, other: Features) -> Pairs:

@@ -127,6 +127,7 @@ def tracks(
     rng: np.random.Generator | None = None,
     ratio: float = 0.8,
     pairs: Iterable[tuple[int, int]] | None = None,
+    most: int = 3000,
 ) -> Observations:
     """Return who sees which detail where, from pictures.
 
@@ -143,6 +144,8 @@ def tracks(
         As in `match_features`.
     pairs : iterable of tuple of int, optional
         Which pictures are compared, numbered from 0; each with each if not given.
+    most : int
+        How many details of a picture are used.
 
     Returns
     -------
@@ -158,7 +161,7 @@ def tracks(
     """
     if len(pictures) < 2:
         raise ValueError(f"tracks need two pictures or more, got {len(pictures)}")
-    features = [find_features(picture) for picture in pictures]
+    features = [find_features(picture, most) for picture in pictures]
     chosen = combinations(range(len(pictures)), 2) if pairs is None else pairs
     matches = {(i, j): match_features(features[i], features[j], ratio) for i, j in chosen}
     if K is not None:

@@ -95,9 +95,9 @@ def test_no_place_twice():
 
 
 def test_the_pairs_are_those_of_opencv():
-    """The same as OpenCV's matcher with a cross-check, in as many blocks of rows as it takes."""
+    """The same as OpenCV's matcher with a cross-check."""
     found = find_features(noise((500, 700))), find_features(noise((500, 700))[7:, 5:])
-    assert min(len(each) for each in found) > 1000  # more than a block
+    assert min(len(each) for each in found) > 1000
     places = (np.arange(2.0 * len(each)).reshape(-1, 2) for each in found)  # none of them twice
     one, other = (Features(p, each.descriptors) for p, each in zip(places, found, strict=True))
     theirs = cv2.BFMatcher(cv2.NORM_L2, True).match(one.descriptors, other.descriptors)
