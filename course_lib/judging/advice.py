@@ -19,6 +19,11 @@ ADVICE = (
     ),
     ("TypeError", "'list'", "A list cannot be computed with. Make it an array: `np.array(…)`."),
     (
+        "AttributeError",
+        "'list'",
+        "A list cannot be computed with. Make it an array: `np.array(…)`.",
+    ),
+    (
         "TypeError",
         "multiply sequence",
         "A tuple or a list cannot be computed with. Make it an array: `np.array(…)`.",

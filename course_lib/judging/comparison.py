@@ -86,7 +86,7 @@ def _close(array: NDArray[Any], truth: NDArray[Any], rtol: float, atol: float) -
         with np.errstate(invalid="ignore"):  # inf - inf
             near = np.abs(array - truth) <= atol + rtol * np.abs(truth)
         near &= np.isfinite(truth)
-        return near | (array == truth) | (np.isnan(array) & np.isnan(truth))
+        return np.asarray(near | (array == truth) | (np.isnan(array) & np.isnan(truth)))
     got, wanted = float(array), float(truth)
     near = math.isfinite(wanted) and abs(got - wanted) <= atol + rtol * abs(wanted)
     return np.asarray(got == wanted or near or (math.isnan(got) and math.isnan(wanted)))

@@ -1,15 +1,12 @@
 """Chapter 09: the exercises on triangulation."""
 
+from course_lib.exercises.triangulation.covariance import POINT_COVARIANCE
 from course_lib.exercises.triangulation.depth import (
     DEPTH_FROM_DISPARITY,
     DEPTH_UNCERTAINTY,
     EXPLAIN_TWICE_AS_FAR,
 )
-from course_lib.exercises.triangulation.points import (
-    POINT_COVARIANCE,
-    REFINE_POINT,
-    TRIANGULATE_LINEAR,
-)
+from course_lib.exercises.triangulation.points import REFINE_POINT, TRIANGULATE_LINEAR
 from course_lib.exercises.triangulation.rays import (
     CLOSEST_POINTS_ON_RAYS,
     INTERSECT_RAY_PLANE,

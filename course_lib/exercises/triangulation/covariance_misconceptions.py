@@ -91,6 +91,30 @@ def first_two_cameras(X, cameras, sigma):
     return sigma**2 * inverted(derivatives(X, cameras[:2]))
 
 
+def last_camera_only(X, cameras, sigma):
+    return sigma**2 * inverted(derivatives(X, cameras[-1:]))
+
+
+def equations_of_u(X, cameras, sigma):
+    return sigma**2 * inverted(derivatives(X, cameras)[::2])
+
+
+def last_column_left_out(X, cameras, sigma):
+    rows = []
+    for P in cameras:
+        a = P[:, :3] @ X
+        rows.extend((P[:2, :3] - (a[:2] / a[2])[:, None] * P[2, :3]) / a[2])
+    return sigma**2 * inverted(np.array(rows))
+
+
+def first_row_for_v(X, cameras, sigma):
+    rows = []
+    for P in cameras:
+        a = P @ np.append(X, 1)
+        rows.extend((P[0, :3] - (a[:2] / a[2])[:, None] * P[2, :3]) / a[2])
+    return sigma**2 * inverted(np.array(rows))
+
+
 def depth_left_out_of_J(X, cameras, sigma):
     rows = []
     for P in cameras:

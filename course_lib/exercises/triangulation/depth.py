@@ -12,10 +12,10 @@ DEPTH_FROM_DISPARITY = Exercise(
     points=6,
     parts={
         "the same principal point": Part(inputs.same_principal_points, cases=1, weight=2),
-        "with an offset": Part(inputs.with_offset, cases=1, weight=1),
+        "with an offset": Part(inputs.with_offset, cases=1, weight=2),
         "a negative disparity": Part(inputs.negative_disparity, cases=1, weight=1),
-        "a point infinitely far away": Part(inputs.infinitely_far, cases=1, weight=1),
-        "a wrong match": Part(inputs.wrong_match, cases=1, weight=1),
+        "a point infinitely far away": Part(inputs.infinitely_far, cases=1, weight=0.5),
+        "a wrong match": Part(inputs.wrong_match, cases=1, weight=0.5),
     },
     forbidden=("course_lib.triangulation.depth.depth_from_disparity",),
     misconceptions=[
@@ -69,6 +69,7 @@ DEPTH_FROM_DISPARITY = Exercise(
                 wrong.infinite_for_refused,
                 wrong.zero_for_refused,
                 wrong.left_out_for_refused,
+                wrong.none_for_refused,
             ],
         ),
         Misconception(
@@ -107,6 +108,7 @@ DEPTH_UNCERTAINTY = Exercise(
         Misconception(
             wrong.linear_in_depth,
             "Your uncertainty doubles with the distance. Which power of d is in the derivative?",
+            also=[wrong.linear_without_baseline, wrong.linear_without_f, wrong.linear_alone],
         ),
         Misconception(
             wrong.cubed,

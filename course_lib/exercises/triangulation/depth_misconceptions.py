@@ -89,6 +89,11 @@ def left_out_for_refused(disparity, f, baseline, offset):
     return f * baseline / apart[apart > 0]
 
 
+def none_for_refused(disparity, f, baseline, offset):
+    apart = disparity + offset
+    return f * baseline / apart if (apart > 0).all() else None
+
+
 def sign_lost(disparity, f, baseline, offset):
     return f * baseline / np.abs(disparity + offset)
 
@@ -121,6 +126,18 @@ def array_in_an_if(disparity, f, baseline, offset):
 
 def linear_in_depth(Z, f, baseline, sigma):
     return Z * sigma / (f * baseline)
+
+
+def linear_without_baseline(Z, f, baseline, sigma):
+    return Z * sigma / f
+
+
+def linear_without_f(Z, f, baseline, sigma):
+    return Z * sigma / baseline
+
+
+def linear_alone(Z, f, baseline, sigma):
+    return Z * sigma
 
 
 def sigma_put_into_the_depth(Z, f, baseline, sigma):

@@ -203,11 +203,14 @@ def many_depths(rng: Generator) -> Inputs:
 # --- a ray and a plane ------------------------------------------------------------------------
 
 
-def rays_and_plane(rng: Generator, towards: Floats) -> Known:
-    """Choose points of a plane, and the rays that lead there, or away where `towards` is -1."""
+def rays_and_plane(rng: Generator, towards: Floats, side: float) -> Known:
+    """Choose points of a plane, and the rays that lead there, or away where `towards` is -1.
+
+    The camera is on the side to which the normal points, or (-1) on the other one.
+    """
     normal = unit(rng.uniform((0.4, 0.3, -0.5), (0.8, 0.6, 0.5))) * rng.uniform(1.5, 3) * sign(rng)
     origin = rng.uniform(0.5, 1.5, 3) * rng.choice([-1, 1], 3)
-    foot = origin + rng.uniform(1.5, 3) * unit(normal) * sign(rng)
+    foot = origin - side * rng.uniform(1.5, 3) * unit(normal)
     along = rng.uniform(-1, 1, (len(towards), 3))
     points = foot + along - np.outer(along @ unit(normal), unit(normal))
     directions = (points - origin) * (rng.uniform(0.3, 0.8, len(towards)) * towards)[:, None]
@@ -220,8 +223,8 @@ def rays_and_plane(rng: Generator, towards: Floats) -> Known:
 
 
 def light_before_the_camera(rng: Generator) -> Known:
-    return rays_and_plane(rng, np.ones(5))
+    return rays_and_plane(rng, np.ones(5), 1)
 
 
 def some_rays_go_away(rng: Generator) -> Known:
-    return rays_and_plane(rng, rng.permutation([1.0, 1, 1, -1, -1, 1]))
+    return rays_and_plane(rng, rng.permutation([1.0, 1, 1, -1, -1, 1]), -1)

@@ -34,6 +34,16 @@ def sign_of_d_without_nan(origin, directions, plane):
     return origin + lengths_to(origin, directions, turned)[:, None] * directions
 
 
+def sign_of_the_origin(origin, directions, plane):
+    lengths = (plane[:3] @ origin - plane[3]) / (directions @ plane[:3])
+    return in_front(origin, directions, lengths)
+
+
+def sign_of_the_origin_without_nan(origin, directions, plane):
+    lengths = (plane[:3] @ origin - plane[3]) / (directions @ plane[:3])
+    return origin + lengths[:, None] * directions
+
+
 def d_left_out(origin, directions, plane):
     return in_front(origin, directions, lengths_to(origin, directions, plane * [1, 1, 1, 0]))
 
@@ -91,10 +101,30 @@ def nan_for_those_in_front(origin, directions, plane):
     return points
 
 
-def behind_the_plane_of_z(origin, directions, plane):
+def sign_of_the_slope(origin, directions, plane):
     points = origin + lengths_to(origin, directions, plane)[:, None] * directions
-    points[points[:, 2] < 0] = np.nan
+    points[directions @ plane[:3] < 0] = np.nan
     return points
+
+
+def other_sign_of_the_slope(origin, directions, plane):
+    points = origin + lengths_to(origin, directions, plane)[:, None] * directions
+    points[directions @ plane[:3] > 0] = np.nan
+    return points
+
+
+def a_length_for_each_axis(origin, directions, plane):
+    lengths = -(plane[:3] * origin + plane[3]) / (directions * plane[:3])
+    return origin + lengths * directions
+
+
+def summed_over_the_rays(origin, directions, plane):
+    lengths = -(plane[:3] @ origin + plane[3]) / (directions * plane[:3]).sum(axis=0)
+    return origin + lengths * directions
+
+
+def first_ray_only(origin, directions, plane):
+    return origin + lengths_to(origin, directions, plane)[0] * directions[0]
 
 
 def lengths_only(origin, directions, plane):

@@ -6,6 +6,8 @@ from typing import Any
 
 import numpy as np
 
+from course_lib import triangulation
+
 # --- closest_points_on_rays -------------------------------------------------------------------
 
 
@@ -28,6 +30,27 @@ def sign_of_the_second_length(origin1, direction1, origin2, direction2):
 
 def difference_the_other_way(origin1, direction1, origin2, direction2):
     length1, length2, _ = -solved(origin1, direction1, origin2, direction2)
+    return origin1 + length1 * direction1, origin2 + length2 * direction2
+
+
+def other_difference_and_sign(origin1, direction1, origin2, direction2):
+    length1, length2, _ = -solved(origin1, direction1, origin2, -direction2)
+    return origin1 + length1 * direction1, origin2 + length2 * direction2
+
+
+def first_origin_only(origin1, direction1, origin2, direction2):
+    length1, length2, _ = solved(0, direction1, origin1, direction2)
+    return origin1 + length1 * direction1, origin2 + length2 * direction2
+
+
+def second_origin_only(origin1, direction1, origin2, direction2):
+    length1, length2, _ = solved(0, direction1, origin2, direction2)
+    return origin1 + length1 * direction1, origin2 + length2 * direction2
+
+
+def star_for_matrix_product(origin1, direction1, origin2, direction2):
+    A = np.column_stack([direction1, -direction2, np.cross(direction1, direction2)])
+    length1, length2, _ = np.linalg.inv(A) * (origin2 - origin1)
     return origin1 + length1 * direction1, origin2 + length2 * direction2
 
 
@@ -141,6 +164,46 @@ def M_transposed(pixel1, pixel2, P1, P2):
     o1, _, o2, _ = rays(pixel1, pixel2, P1, P2)
     M1, M2 = np.linalg.inv(P1[:, :3]), np.linalg.inv(P2[:, :3])
     return middle(o1, np.append(pixel1, 1) @ M1, o2, np.append(pixel2, 1) @ M2)
+
+
+def transpose_for_inverse(pixel1, pixel2, P1, P2):
+    o1, _, o2, _ = rays(pixel1, pixel2, P1, P2)
+    return middle(o1, np.append(pixel1, 1) @ P1[:, :3], o2, np.append(pixel2, 1) @ P2[:, :3])
+
+
+def transpose_in_the_centre(pixel1, pixel2, P1, P2):
+    _, d1, _, d2 = rays(pixel1, pixel2, P1, P2)
+    return middle(-P1[:, 3] @ P1[:, :3], d1, -P2[:, 3] @ P2[:, :3], d2)
+
+
+def transpose_in_both(pixel1, pixel2, P1, P2):
+    d1, d2 = np.append(pixel1, 1) @ P1[:, :3], np.append(pixel2, 1) @ P2[:, :3]
+    return middle(-P1[:, 3] @ P1[:, :3], d1, -P2[:, 3] @ P2[:, :3], d2)
+
+
+def third_row_for_p(pixel1, pixel2, P1, P2):
+    _, d1, _, d2 = rays(pixel1, pixel2, P1, P2)
+    o1, o2 = (np.linalg.solve(P[:, :3], -P[2, :3]) for P in (P1, P2))
+    return middle(o1, d1, o2, d2)
+
+
+def one_in_front(pixel1, pixel2, P1, P2):
+    o1, _, o2, _ = rays(pixel1, pixel2, P1, P2)
+    d1 = np.linalg.solve(P1[:, :3], np.append(1, pixel1))
+    return middle(o1, d1, o2, np.linalg.solve(P2[:, :3], np.append(1, pixel2)))
+
+
+def arguments_out_of_order(pixel1, pixel2, P1, P2):
+    o1, d1, o2, d2 = rays(pixel1, pixel2, P1, P2)
+    return middle(o1, o2, d1, d2)
+
+
+def star_in_the_direction(pixel1, pixel2, P1, P2):
+    o1, _, o2, _ = rays(pixel1, pixel2, P1, P2)
+    d1, d2 = (
+        np.linalg.inv(P[:, :3]) * np.append(pixel, 1) for pixel, P in ((pixel1, P1), (pixel2, P2))
+    )
+    return sum(triangulation.closest_points_on_rays(o1, d1, o2, d2)) / 2
 
 
 def third_number_zero(pixel1, pixel2, P1, P2):

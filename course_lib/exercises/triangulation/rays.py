@@ -31,7 +31,18 @@ CLOSEST_POINTS_ON_RAYS = Exercise(
         ),
         Misconception(
             wrong.difference_the_other_way,
-            "Your points lie behind the origins. Which origin is subtracted from the other?",
+            "Your first point lies behind its origin. Which origin is subtracted from the other?",
+            also=[wrong.other_difference_and_sign],
+        ),
+        Misconception(
+            wrong.first_origin_only,
+            "If both origins move alike, so do the points. Which origins are on your right side?",
+            also=[wrong.second_origin_only],
+        ),
+        Misconception(
+            wrong.star_for_matrix_product,
+            "Print the shape of your unknowns: are they three numbers? Which sign multiplies a "
+            "matrix by a vector?",
         ),
         Misconception(
             wrong.rows_for_columns,
@@ -104,6 +115,28 @@ TRIANGULATE_MIDPOINT = Exercise(
         Misconception(
             wrong.M_transposed,
             "M⁻¹ works on a column here. On which side of the pixel does it stand?",
+        ),
+        Misconception(
+            wrong.transpose_for_inverse,
+            "Only of a rotation the transpose is the inverse. Is M a rotation?",
+            also=[wrong.transpose_in_the_centre, wrong.transpose_in_both],
+        ),
+        Misconception(
+            wrong.one_in_front,
+            "In which place of the pixel's three numbers is the 1?",
+        ),
+        Misconception(
+            wrong.third_row_for_p,
+            "P has three rows and four columns. Is p a row or a column?",
+        ),
+        Misconception(
+            wrong.arguments_out_of_order,
+            "In which order does the helper want its four arguments: are the origins side by side?",
+        ),
+        Misconception(
+            wrong.star_in_the_direction,
+            "Print the shape of your directions: are they three numbers? Which sign multiplies a "
+            "matrix by a vector?",
         ),
         Misconception(
             wrong.third_number_zero,
@@ -180,7 +213,11 @@ INTERSECT_RAY_PLANE = Exercise(
             plane.sign_of_d,
             "When d goes to the other side of the equation, together with the origin, which signs "
             "do both have?",
-            also=[plane.sign_of_d_without_nan],
+            also=[
+                plane.sign_of_d_without_nan,
+                plane.sign_of_the_origin,
+                plane.sign_of_the_origin_without_nan,
+            ],
         ),
         Misconception(
             plane.d_left_out,
@@ -221,6 +258,21 @@ INTERSECT_RAY_PLANE = Exercise(
         Misconception(
             plane.nan_for_those_in_front,
             "Which rays go away from the plane: those with a positive length, or the others?",
+        ),
+        Misconception(
+            plane.sign_of_the_slope,
+            "A camera can be on either side of the plane. What is negative for rays that go away: "
+            "the slope, or the length?",
+            also=[plane.other_sign_of_the_slope],
+        ),
+        Misconception(
+            plane.a_length_for_each_axis,
+            "Print the shape of your lengths. Is there one for each ray?",
+            also=[plane.summed_over_the_rays],
+        ),
+        Misconception(
+            plane.first_ray_only,
+            "There is one point only. How many rays came in, and where is your return?",
         ),
         Misconception(
             plane.lengths_only,

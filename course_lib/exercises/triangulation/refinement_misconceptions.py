@@ -1,134 +1,10 @@
-"""Wrong answers to the exercises of chapter 09 on the linear method and the refined point."""
+"""Wrong answers to the exercise of chapter 09 on the refined point."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-
-# --- triangulate_linear -----------------------------------------------------------------------
-
-
-def rows_of(pixels: Any, cameras: Any) -> Any:
-    return np.array(
-        [
-            row
-            for (u, v), P in zip(pixels, cameras, strict=True)
-            for row in (u * P[2] - P[0], v * P[2] - P[1])
-        ]
-    )
-
-
-def null_point(rows: Any) -> Any:
-    X = np.linalg.svd(rows)[2][-1]
-    return X[:3] / X[3]
-
-
-def rows_mixed_up(pixels, cameras):
-    return null_point(rows_of(pixels[:, ::-1], cameras))
-
-
-def rows_added(pixels, cameras):
-    return null_point(rows_of(-pixels, cameras))
-
-
-def third_row_forgotten(pixels, cameras):
-    rows = [row for x, P in zip(pixels, cameras, strict=True) for row in (x[0] - P[0], x[1] - P[1])]
-    return null_point(np.array(rows))
-
-
-def columns_for_rows(pixels, cameras):
-    rows = [
-        row
-        for (u, v), P in zip(pixels, cameras, strict=True)
-        for row in (u * P[:, 2] - P[:, 0], v * P[:, 2] - P[:, 1])
-    ]
-    X = np.linalg.svd(np.array(rows))[2][-1]
-    return X[:3] / X[3]
-
-
-def columns_and_last_number(pixels, cameras):
-    rows = [
-        row
-        for (u, v), P in zip(pixels, cameras, strict=True)
-        for row in (u * P[:, 2] - P[:, 0], v * P[:, 2] - P[:, 1])
-    ]
-    X = np.linalg.svd(np.array(rows))[2][-1]
-    return X[:3] / X[-1]
-
-
-def not_divided(pixels, cameras):
-    return np.linalg.svd(rows_of(pixels, cameras))[2][-1][:3]
-
-
-def four_numbers(pixels, cameras):
-    X = np.linalg.svd(rows_of(pixels, cameras))[2][-1]
-    return X / X[3]
-
-
-def four_numbers_of_length_one(pixels, cameras):
-    return np.linalg.svd(rows_of(pixels, cameras))[2][-1]
-
-
-def divided_by_the_third(pixels, cameras):
-    X = np.linalg.svd(rows_of(pixels, cameras))[2][-1]
-    return X[:3] / X[2]
-
-
-def two_numbers(pixels, cameras):
-    X = np.linalg.svd(rows_of(pixels, cameras))[2][-1]
-    return X[:2] / X[2]
-
-
-def last_column(pixels, cameras):
-    X = np.linalg.svd(rows_of(pixels, cameras))[2][:, -1]
-    return X[:3] / X[3]
-
-
-def largest_singular_value(pixels, cameras):
-    X = np.linalg.svd(rows_of(pixels, cameras))[2][0]
-    return X[:3] / X[3]
-
-
-def first_factor(pixels, cameras):
-    X = np.linalg.svd(rows_of(pixels, cameras))[0][:, -1]
-    return X[:3] / X[3]
-
-
-def equations_of_u_only(pixels, cameras):
-    return null_point(rows_of(pixels, cameras)[::2])
-
-
-def equations_of_v_only(pixels, cameras):
-    return null_point(rows_of(pixels, cameras)[1::2])
-
-
-def first_two_cameras(pixels, cameras):
-    return null_point(rows_of(pixels[:2], cameras[:2]))
-
-
-def last_camera_only(pixels, cameras):
-    return null_point(rows_of(pixels[-1:], cameras[-1:]))
-
-
-def first_camera_only(pixels, cameras):
-    return null_point(rows_of(pixels[:1], cameras[:1]))
-
-
-def one_matrix_for_all(pixels, cameras):
-    return null_point(rows_of(pixels, np.array([cameras[0]] * len(pixels))))
-
-
-def three_rows_a_camera(pixels, cameras):
-    rows = [
-        row
-        for (u, v), P in zip(pixels, cameras, strict=True)
-        for row in (u * P[2] - P[0], v * P[2] - P[1], u * P[1] - v * P[0])
-    ]
-    return null_point(np.array(rows))
-
-
-# --- refine_point -----------------------------------------------------------------------------
 
 
 def linearised(X: Any, pixels: Any, cameras: Any) -> Any:
@@ -163,10 +39,6 @@ def uphill(X, pixels, cameras):
 
 def step_only(X, pixels, cameras):
     return step(*linearised(X, pixels, cameras))
-
-
-def negative_step_only(X, pixels, cameras):
-    return -step(*linearised(X, pixels, cameras))
 
 
 def measured_pixel_in_J(X, pixels, cameras):
@@ -207,6 +79,39 @@ def same_pixel_in_both_rows(X, pixels, cameras):
     return with_derivatives(
         X, pixels, cameras, lambda P, x, _, c: (P[:2, :3] - x[0] * P[2, :3]) / c
     )
+
+
+def first_row_for_v(X, pixels, cameras):
+    return with_derivatives(
+        X, pixels, cameras, lambda P, x, _, c: (P[0, :3] - x[:, None] * P[2, :3]) / c
+    )
+
+
+def last_column_left_out(X, pixels, cameras):
+    J, r = [], []
+    for pixel, P in zip(pixels, cameras, strict=True):
+        a = P[:, :3] @ X
+        J.extend((P[:2, :3] - (a[:2] / a[2])[:, None] * P[2, :3]) / a[2])
+        r.extend(a[:2] / a[2] - pixel)
+    return X + step(np.array(J), np.array(r))
+
+
+def measured_for_residuals(X, pixels, cameras):
+    return X + step(linearised(X, pixels, cameras)[0], pixels.ravel())
+
+
+def measured_with_the_other_sign(X, pixels, cameras):
+    return X - step(linearised(X, pixels, cameras)[0], pixels.ravel())
+
+
+def projected_for_residuals(X, pixels, cameras):
+    J, r = linearised(X, pixels, cameras)
+    return X + step(J, r + pixels.ravel())
+
+
+def matrix_not_inverted(X, pixels, cameras):
+    J, r = linearised(X, pixels, cameras)
+    return X - J.T @ J @ (J.T @ r)
 
 
 def pixels_not_divided(X, pixels, cameras):
