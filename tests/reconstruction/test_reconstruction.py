@@ -22,7 +22,9 @@ def rng(seed=0):
 def errors(found, known):
     """Return how far points and centres are off after a similarity, by the size of the object."""
     truth = known.truth
-    placed = similarity_transform(found.block.points, truth.points[found.points])
+    # Points of two rays may be wrong; they shall not move the others.
+    sure = np.bincount(found.observations.points) > 2
+    placed = similarity_transform(found.block.points[sure], truth.points[found.points[sure]])
     block = found.oriented(placed)
     size = np.ptp(truth.points, axis=0).max()
     points = np.linalg.norm(block.points - truth.points[found.points], axis=1)
