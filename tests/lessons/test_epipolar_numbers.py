@@ -1,0 +1,280 @@
+"""The numbers that the text of chapter 08 states are those that the library computes."""
+
+import math
+
+import numpy as np
+import pytest
+from lesson_text import lesson_text
+from real_data import fetched
+
+from course_lib import epipolar as epi
+from course_lib.distortion import normalised_from_pixels
+from course_lib.drawing import epipolar as draw
+from course_lib.drawing.distortion.boards import PHOTOGRAPHS
+from course_lib.drawing.epipolar import street
+from course_lib.drawing.explorers import pairs, ransac, rectification
+from course_lib.drawing.explorers.epipolar import epipolar_frame
+from course_lib.epipolar.fundamental import pair_rows
+from course_lib.exercises import all_exercises
+from course_lib.homography import normalise_points
+from course_lib.tie_points import tie_points
+from course_lib.transforms import camera_centre, skew
+from course_lib.widgets.epipolar import epipolar_explorer
+
+says = lesson_text("08_epipolar").says
+SAME_ROW = np.array([[0, 0, 0], [0, 0, -1], [0, 1, 0]])
+
+
+def about(value, digits):
+    """Return what agrees with a printed number of so many decimals."""
+    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
+
+
+def read(frame, label):
+    (found,) = (r for r in frame.readouts if r.label == label)
+    return found.value
+
+
+@pytest.fixture(scope="module")
+def boards():
+    """Return the real pairs; skip where they are not to be had."""
+    for name in PHOTOGRAPHS:
+        fetched(name)
+        fetched(name.replace("left", "right"))
+    return draw.stereo_boards()
+
+
+@pytest.fixture(scope="module")
+def corners(boards):
+    return boards.straight_corners()
+
+
+# What needs no photograph
+
+
+def test_points_of_all_exercises():
+    says(f"**Points:** {sum(exercise.points for exercise in all_exercises('epipolar'))}")
+    says("with six exercises", "with five exercises", "(4 points, read by a person)")
+    assert len(all_exercises("epipolar")) == 6 + 5 + 1
+
+
+def test_the_lamp_is_between_the_third_spot_and_the_fourth():
+    one, _ = pairs.cameras(pairs.TOWARDS, street.WIDTH)
+    depth = float(one.R[2] @ pairs.LAMP + one.t[2])
+    assert depth == about(14, 0)
+    assert street.DEPTHS[2] < depth < street.DEPTHS[3]
+    assert (street.DEPTHS[0], street.DEPTHS[-1]) == (9, 35)
+    says("9 m before the camera", "35 m, at the last", "14 m away", "the third spot and the fourth")
+
+
+def depths_that_agree(u, v):
+    """Return the depths of the slider, those at which the patches differ least first."""
+    depths = epipolar_explorer()._controls["Z"].positions
+    apart = [
+        read(epipolar_frame(pairs.TOWARDS, u, v, Z), "The two patches differ by") for Z in depths
+    ]
+    numbers = [math.inf if text == "–" else float(text) for text in apart]
+    return [depths[i] for i in np.argsort(numbers, kind="stable")]
+
+
+def test_patches_agree_where_the_text_says():
+    start = epipolar_explorer().state
+    chart = start["u"], start["v"]
+    assert depths_that_agree(*chart)[0] == about(10, 0)
+    window = depths_that_agree(224, 116)[:4]
+    assert any(13.3 <= Z <= 13.7 for Z in window)
+    assert any(25.5 <= Z <= 26.5 for Z in window)
+    one, _ = pairs.cameras(pairs.TOWARDS, 340)
+    for at, depth in ((chart, 10), ((224, 116), 28)):
+        (X,) = pairs.surface(one, np.array([at]))
+        assert float(one.R[2] @ X + one.t[2]) == about(depth, 0)
+    says("$(224, 116)$", "At about 10 m", "At about 13.5 m and at 26 m", "Really it is 28 m")
+
+
+def test_the_worked_examples_of_the_first_sitting():
+    np.testing.assert_array_equal(skew([1, 2, 3]) @ [0, 1, 0], (-3, 0, 1))
+    E = epi.essential_from_pose(np.eye(3), [-1, 0, 0])
+    np.testing.assert_allclose(E, [[0, 0, 0], [0, 0, 1], [0, -1, 0]])
+    np.testing.assert_allclose(E @ [0.25, 0.5, 1], (0, 1, -0.5))
+    assert np.array([0, 0.5, 1]) @ E @ [0.25, 0.5, 1] == 0
+    np.testing.assert_allclose(camera_centre(np.eye(3), [-1, 0, 0]), (1, 0, 0))
+    R = np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]])
+    expected = [[2, -3, 0], [-1, 0, -3], [0, 1, 2]]
+    np.testing.assert_allclose(epi.essential_from_pose(R, [1, 2, 3]), expected)
+    P1, P2 = (np.column_stack([np.eye(3), p]) for p in ((1, 0, 0), (0, 1, 0)))
+    F = epi.fundamental_from_cameras(P1, P2)
+    np.testing.assert_allclose(F / F[0, 2], [[0, 0, 1], [0, 0, 1], [-1, -1, 0]], atol=1e-12)
+    np.testing.assert_allclose(np.abs(epi.epipolar_lines([10, 30], SAME_ROW)), (0, 1, 30))
+    assert epi.line_distance([0, 0], [3, 4, -10]) == 2
+    example = np.array([[0, -1, 50], [1, 0, -60], [-50, 60, 0]])
+    np.testing.assert_allclose(epi.epipole(example), (60, 50))
+
+
+def test_the_car_heads_for_the_middle():
+    np.testing.assert_allclose(epi.epipole(draw.forward_fundamental()), (239.5, 179.5), atol=1e-6)
+    eyes = np.array(pairs.EYES[pairs.AHEAD])
+    assert np.linalg.norm(eyes[1] - eyes[0]) == 4
+    says("4 m apart", "$(239.5, 179.5)$")
+
+
+def test_one_px_down_is_a_bit_less_off_the_lines():
+    left, right = draw.street_points()
+    lines = epi.epipolar_lines(left, epi.fundamental_from_cameras(*draw.street_cameras()))
+    assert epi.line_distance(right, lines).max() < 1e-9
+    off = epi.line_distance(right + np.array([0, 1]), lines)
+    assert ((off > 0.95) & (off < 1)).all()
+
+
+def test_the_worked_examples_of_the_second_sitting():
+    row = pair_rows(np.array([[2.0, 3]]), np.array([[5.0, 7]]))[0]
+    np.testing.assert_array_equal(row, (10, 15, 5, 14, 21, 7, 2, 3, 1))
+    assert epi.sampson_error([[10, 30]], [[5, 32]], SAME_ROW) == about(1.41, 2)
+    assert epi.symmetric_distance([[10, 30]], [[5, 32]], SAME_ROW) == pytest.approx(2)
+    assert epi.ransac_iterations(0.99, 8, 0.5) == 1177
+    assert epi.ransac_iterations(0.99, 5, 0.5) == 146
+    assert epi.ransac_iterations(0.99, 7, 0.5) == 588
+    assert about(0.0039, 4) == 0.5**8
+    assert math.log(0.01) == about(-4.605, 3)
+    assert math.log(1 - 0.5**8) == about(-0.003914, 6)
+    E = np.array([[0, 0, 0], [0, 0, 1], [0, -1, 0]])
+    _, t = epi.pose_from_essential(E, [[0.25, 0]], [[0, 0]])
+    np.testing.assert_allclose(t, (-1, 0, 0), atol=1e-12)
+    for sign in (1, -1):
+        depths = epi.pair_depths(np.eye(3), [-sign, 0, 0], [[0.25, 0]], [[0, 0]])
+        np.testing.assert_allclose(np.ravel(depths), 4 * sign)
+    says("$N = 1177$", "it would be 146", "588 draws instead of 1177", "-4.605", "-0.003914")
+
+
+def test_the_stepper_does_what_the_text_says():
+    drawn = ransac.drawn(30.0)
+    clean = np.flatnonzero(drawn.right[drawn.samples].all(axis=1)) + 1
+    assert clean[:2].tolist() == [18, 71]
+    agree = (drawn.errors <= 1.0).sum(axis=1)
+    assert (agree[:17].min(), agree[:17].max()) == (1, 9)
+    assert (agree[17], agree[70], drawn.right.sum()) == (41, 17, 42)
+    assert drawn.right[drawn.errors[17] <= 1].all()
+    wide = drawn.errors[17] <= 10
+    assert (wide.sum(), (wide & ~drawn.right).sum()) == (45, 3)
+    says(
+        "One to nine", "Draw 18", "41 of the 42", "Draw 71", "Only 17", "45 pairs agree, three more"
+    )
+
+
+def test_the_street_turns_as_the_text_says():
+    start = rectification.rectification_frame(1.0, rectification.STREET)
+    assert read(start, "Left turned by") == "11.15"
+    assert read(start, "Right turned by") == "12.06"
+    eyes = np.array(pairs.EYES[pairs.TOWARDS])
+    assert eyes[1, 2] - eyes[0, 2] == pytest.approx(0.6)
+    says("by 11.2° and 12.1°", "60 cm higher")
+
+
+def test_the_six_positions_do_what_the_text_says():
+    from course_lib.drawing.epipolar.gruber import parallaxes
+
+    by, bz, omega, phi, kappa = (np.abs(row) > 1e-6 for row in parallaxes())
+    at = [np.flatnonzero(acts) + 1 for acts in (by, bz, omega, phi, kappa)]
+    expected = [[1, 2, 3, 4, 5, 6], [3, 4, 5, 6], [1, 2, 3, 4, 5, 6], [3, 5], [1, 3, 5]]
+    assert [places.tolist() for places in at] == expected
+    says("$\\kappa$ acts only at 1, 3 and 5", "$\\varphi$ only at 3 and 5")
+
+
+def test_of_the_solutions_of_seven_pairs_the_eighth_picks_one():
+    points1, points2 = draw.eight_pairs(sigma=0.0)
+    solutions = epi.seven_point(points1[:7], points2[:7])
+    off = [epi.sampson_error(points1[7:], points2[7:], F)[0] for F in solutions]
+    assert len(off) == 3
+    assert sorted(off)[0] < 1e-6 < 5 < sorted(off)[1]
+
+
+# The motorcycle
+
+
+def test_the_tie_points_of_the_motorcycle():
+    for ratio, count, share in ((1.0, 1154, 79), (0.8, 813, 95)):
+        one, two = tie_points(*draw.motorcycle(), ratio)
+        assert len(one) == count
+        assert 100 * (abs(one[:, 1] - two[:, 1]) < 1.5).mean() == about(share, 0)
+    says("79 % of 1154", "95 % of 813")
+
+
+# The real pair
+
+
+def test_the_calibrated_pair(boards, corners):
+    c = boards.calibration
+    assert np.linalg.norm(c.t) == about(99.8, 1)
+    F, (left, right) = draw.board_fundamental(boards), corners
+    taken = epi.line_distance(
+        boards.right_corners[0], epi.epipolar_lines(boards.left_corners[0], F)
+    )
+    assert (taken.mean(), taken.max()) == (about(1.22, 2), about(4.6, 1))
+    off = epi.line_distance(right, epi.epipolar_lines(left, F))
+    assert off[:54].mean() == about(0.09, 2)
+    assert np.sqrt((off**2).mean()) == about(0.10, 2)
+    says("1.22 px beside", "up to 4.6 px", "0.09 px are left", "0.10 px (RMS)", "702 corners")
+
+
+def test_eight_points_from_all_corners(corners):
+    left, right = corners
+    plain = np.linalg.svd(pair_rows(left, right))
+    near = np.linalg.svd(pair_rows(normalise_points(left)[0], normalise_points(right)[0]))[1]
+    assert plain[1][0] / plain[1][7] == about(514_000, -3)
+    assert near[0] / near[7] == about(14, 0)
+    U, s, Vt = np.linalg.svd(plain[2][-1].reshape(3, 3))
+    for F, expected in ((epi.eight_point(left, right), 0.067), (U[:, :2] * s[:2] @ Vt[:2], 0.128)):
+        assert epi.line_distance(right, epi.epipolar_lines(left, F)).mean() == about(expected, 3)
+    F = epi.eight_point(left[:54], right[:54])  # one board is a plane
+    assert epi.line_distance(right, epi.epipolar_lines(left, F)).mean() == about(19, 0)
+    says("514 000 times", "normalised, 14 times", "0.067 px", "0.128 px", "19 px off their lines")
+
+
+def test_the_pose_from_all_corners_agrees_with_the_calibration(boards, corners):
+    c = boards.calibration
+    E = epi.essential_from_fundamental(epi.eight_point(*corners), c.K_left, c.K_right)
+    hats = (
+        normalised_from_pixels(p, K) for p, K in zip(corners, (c.K_left, c.K_right), strict=True)
+    )
+    turn, direction = draw.pose_errors(*epi.pose_from_essential(E, *hats), c)
+    assert (turn, direction) == (about(0.017, 3), about(0.023, 3))
+    says("0.017° and 0.023°")
+
+
+def test_the_pose_from_tie_points_alone(boards):
+    c = boards.calibration
+    off, fits, right = {}, {}, {}
+    for view in (0, 2):
+        one, two = tie_points(*boards.straightened(view))
+        found = epi.ransac_pose(one, two, c.K_left, c.K_right, np.random.default_rng(0))
+        off[view] = draw.pose_errors(found.R, found.t, c)
+        fits[view] = found.fits.sum()
+        true = epi.line_distance(two, epi.epipolar_lines(one, draw.board_fundamental(boards))) < 1.5
+        right[view] = (found.fits & true).sum()
+    assert off[0] == (about(0.11, 2), about(0.25, 2))
+    assert off[0][0] < 0.5  # as wide as the course asks for
+    assert off[0][1] < 1
+    assert off[2] == (about(9, 0), about(106, 0))
+    assert (fits[2], right[2]) == (76, 72)
+    says("0.11° and 0.25°", "by 9° and 106°", "72 of its 76")
+
+
+def test_the_rail_is_rectified_to_rows(boards):
+    for s, label, expected in (
+        (0.0, "Rows differ by (RMS)", "7.51"),
+        (1.0, "Rows differ by (RMS)", "0.07"),
+    ):
+        frame = rectification.rectification_frame(s, rectification.BOARD)
+        assert read(frame, label) == expected
+    assert read(frame, "Left turned by") == "0.62"
+    assert read(frame, "Right turned by") == "0.69"
+    says("0.6° and 0.7°", "7.5 px apart", "to 0.07 px")
+
+
+def test_the_wall_gives_two_answers():
+    for name in ("graf1.png", "graf3.png", "H1to3p.xml"):
+        fetched(f"opencv_stereo/{name}")
+    F, G, one, two = draw.two_halves(*draw.painted_wall())
+    assert max(epi.sampson_error(one, two, X).mean() for X in (F, G)) < 0.45
+    apart = np.linalg.norm(epi.epipole(F.T) - epi.epipole(G.T))
+    assert 2800 < apart < 3000
+    says("almost 3000 px apart")
