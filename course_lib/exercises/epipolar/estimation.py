@@ -14,8 +14,8 @@ EIGHT_POINT = Exercise(
     points=8,
     compare=PixelMatrix(),
     parts={
-        "exact pairs": Part(pair_inputs.exact_pairs, cases=2, weight=4),
-        "pairs with noise": Part(pair_inputs.pairs_with_noise, cases=2, weight=4),
+        "exact pairs": Part(pair_inputs.exact_pairs, cases=1, weight=4),
+        "pairs with noise": Part(pair_inputs.pairs_with_noise, cases=1, weight=4),
     },
     forbidden=(
         "course_lib.epipolar.fundamental.eight_point",
@@ -104,8 +104,8 @@ SAMPSON_ERROR = Exercise(
     plain.sampson_error,
     points=6,
     parts={
-        "whole numbers": Part(inputs.small_errors, weight=3),
-        "pixels of two pictures": Part(inputs.errors_of_pixels, weight=3),
+        "whole numbers": Part(inputs.small_errors, cases=2, weight=3),
+        "pixels of two pictures": Part(inputs.errors_of_pixels, cases=1, weight=3),
     },
     forbidden=("course_lib.epipolar.lines.sampson_error", "cv2.sampsonDistance"),
     misconceptions=[

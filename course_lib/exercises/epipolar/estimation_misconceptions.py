@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from course_lib.exercises.epipolar.keeping import kept
 from course_lib.exercises.epipolar.line_misconceptions import homogeneous
 from course_lib.homography import normalise_points
 
@@ -25,6 +26,7 @@ def rank_two(F: Any) -> Any:
     return U[:, :2] * s[:2] @ Vt[:2]
 
 
+@kept
 def normalised(points1: Any, points2: Any) -> Any:
     """Return F of the normalised points, of rank 3, and both T."""
     near1, T1 = normalise_points(points1)
@@ -141,6 +143,7 @@ def of_vector(points1: Any, points2: Any, choose: Any) -> Any:
 # --- sampson_error ----------------------------------------------------------------------------
 
 
+@kept
 def parts(points1: Any, points2: Any, F: Any) -> Any:
     """Return x2ᵀ F x1, and the lines of both pictures."""
     x1, x2 = homogeneous(points1), homogeneous(points2)

@@ -13,8 +13,8 @@ EPIPOLAR_LINES = Exercise(
     points=5,
     compare=LinesWithUnitNormal(),
     parts={
-        "whole numbers": Part(inputs.small_lines, weight=2),
-        "pixels of a picture": Part(inputs.lines_of_pixels, weight=3),
+        "whole numbers": Part(inputs.small_lines, cases=2, weight=2),
+        "pixels of a picture": Part(inputs.lines_of_pixels, cases=1, weight=3),
     },
     forbidden=(
         "course_lib.epipolar.lines.epipolar_lines",
@@ -79,9 +79,9 @@ EPIPOLE = Exercise(
     plain.epipole,
     points=5,
     parts={
-        "whole numbers": Part(inputs.small_epipole, weight=2),
-        "a camera that went aside": Part(inputs.aside, cases=2, weight=1),
-        "a camera that went forward": Part(inputs.forward, cases=2, weight=2),
+        "whole numbers": Part(inputs.small_epipole, cases=2, weight=2),
+        "a camera that went aside": Part(inputs.aside, cases=1, weight=1),
+        "a camera that went forward": Part(inputs.forward, cases=1, weight=2),
     },
     compare=Close(rtol=1e-5, atol=1e-6),
     forbidden=("course_lib.epipolar.lines.epipole",),
@@ -138,8 +138,8 @@ LINE_DISTANCE = Exercise(
     plain.line_distance,
     points=4,
     parts={
-        "whole numbers": Part(inputs.small_distances, weight=2),
-        "pixels of a picture": Part(inputs.pixels_and_lines, weight=2),
+        "whole numbers": Part(inputs.small_distances, cases=2, weight=2),
+        "pixels of a picture": Part(inputs.pixels_and_lines, cases=1, weight=2),
     },
     forbidden=("course_lib.epipolar.lines.line_distance",),
     misconceptions=[

@@ -12,8 +12,8 @@ SKEW = Exercise(
     plain.skew,
     points=3,
     parts={
-        "whole numbers": Part(inputs.small_vector, weight=2),
-        "a baseline": Part(inputs.any_vector, weight=1),
+        "whole numbers": Part(inputs.small_vector, cases=2, weight=2),
+        "a baseline": Part(inputs.any_vector, cases=1, weight=1),
     },
     forbidden=("course_lib.transforms.rotations.skew",),
     misconceptions=[
@@ -72,8 +72,8 @@ ESSENTIAL_FROM_POSE = Exercise(
     points=4,
     compare=UpToScale(1e-8),
     parts={
-        "a shift alone": Part(inputs.shifted_camera, weight=1),
-        "a shift and a turn": Part(inputs.turned_camera, weight=3),
+        "a shift alone": Part(inputs.shifted_camera, cases=1, weight=1),
+        "a shift and a turn": Part(inputs.turned_camera, cases=2, weight=3),
     },
     forbidden=("course_lib.epipolar.matrices.essential_from_pose",),
     misconceptions=[
@@ -130,8 +130,8 @@ FUNDAMENTAL_FROM_CAMERAS = Exercise(
     points=7,
     compare=PixelMatrix(),
     parts={
-        "camera 1 at the origin": Part(inputs.first_at_the_origin, weight=3),
-        "both anywhere": Part(inputs.anywhere_in_the_world, weight=4),
+        "camera 1 at the origin": Part(inputs.first_at_the_origin, cases=1, weight=3),
+        "both anywhere": Part(inputs.anywhere_in_the_world, cases=2, weight=4),
     },
     forbidden=("course_lib.epipolar.matrices.fundamental_from_cameras",),
     misconceptions=[

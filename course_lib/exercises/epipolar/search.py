@@ -81,8 +81,8 @@ POSE_FROM_ESSENTIAL = Exercise(
     plain.pose_from_essential,
     points=8,
     parts={
-        "several points": Part(inputs.several_points, cases=2, weight=4),
-        "one point": Part(inputs.one_point, cases=2, weight=4),
+        "several points": Part(inputs.several_points, cases=1, weight=4),
+        "one point": Part(inputs.one_point, cases=1, weight=4),
     },
     forbidden=(
         "course_lib.epipolar.essential.pose_from_essential",

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from course_lib.epipolar import eight_point, pair_depths, sampson_error
+from course_lib.exercises.epipolar.keeping import kept
 
 # --- ransac_fundamental -----------------------------------------------------------------------
 
@@ -23,18 +24,13 @@ def tried(points1: Any, points2: Any, samples: Any, threshold: Any) -> Any:
     return sorted(found, key=lambda one: -one[1].sum())
 
 
+@kept
 def in_turn(points1: Any, points2: Any, samples: Any, threshold: Any) -> Any:
-    """Return F and fits of every sample in turn; kept, as many variants ask for the same."""
-    key = b"".join(array.tobytes() for array in (points1, points2, samples))
-    if key not in KEPT:
-        KEPT.clear() if len(KEPT) > 3 else None
-        KEPT[key] = [of_sample(points1, points2, sample, threshold) for sample in samples]
-    return KEPT[key]
+    """Return F and fits of every sample in turn."""
+    return [of_sample(points1, points2, sample, threshold) for sample in samples]
 
 
-KEPT: dict[bytes, Any] = {}
-
-
+@kept
 def from_those(points1: Any, points2: Any, fits: Any) -> Any:
     return eight_point(points1[fits], points2[fits]), fits
 
