@@ -22,7 +22,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 from course_lib.authoring.building import notebook_bytes
 from course_lib.authoring.expansion import check_id, grade_id, values_answer
 from course_lib.exercises import all_exercises
-from course_lib.exercises.pasting import Pasted, paste
+from course_lib.exercises.pasting import EXERCISES, Pasted, paste
 from course_lib.judging import (
     Exercise,
     Explain,
@@ -194,9 +194,14 @@ def _source(exercise: Exercise, function: Callable[..., Any]) -> str:
     if isinstance(exercise, ValuesExercise):
         return values_answer(exercise, function, exercise.function_name)
     documented = paste(exercise.reference)
-    elsewhere = not function.__module__.startswith("course_lib.")  # not to be had in a notebook
+    # What is not to be had in a notebook, or not while it is graded.
+    elsewhere = not function.__module__.startswith("course_lib.") or _is_an_exercise(function)
     own = paste(function, exercise.function_name, alone=elsewhere)
     return Pasted(documented.signature, documented.docstring, own.body).as_function()
+
+
+def _is_an_exercise(function: Callable[..., Any]) -> bool:
+    return function.__module__.startswith(EXERCISES)
 
 
 def _good(simulation: Simulation) -> Iterator[Submission]:

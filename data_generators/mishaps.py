@@ -78,10 +78,10 @@ NOISES: Mapping[str, Mishap] = {
     ),
     "prints in the cell": _outside("for step in range(20_000):", "    print('step', step)"),
     "fails in the cell": _outside("1 / 0"),
+    "replaces the check": _outside("def check(name):", "    return 4.0"),
 }
 
 #: Right answers with something in the cell that makes it impossible to grade what follows.
 ENDS: Mapping[str, Mishap] = {
     "killed": _outside("import os", "os._exit(1)"),
-    "check-replaced": _outside("def check(name):", "    return 4.0"),
 }

@@ -79,7 +79,7 @@ def values_answer(exercise: ValuesExercise, function: Any = None, name: str = ""
     """Return statements that work the values out as a function (the reference) does."""
     function = function or exercise.reference
     name = name or function.__name__
-    steps = paste(function, name).without_docstring().as_function()
+    steps = paste(function, name, alone=True).without_docstring().as_function()
     named = [f'{variable} = answers["{variable}"]' for variable in exercise.units]
     return "\n".join([steps, "", "", f"answers = {call(name, exercise.given)}", *named])
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import builtins
 import inspect
+import re
 import textwrap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -17,6 +18,8 @@ BEGIN, END = "### BEGIN SOLUTION", "### END SOLUTION"
 #: Sections of a docstring that a student does not need in order to write the function.
 LEFT_OUT = ("Raises", "References")
 INDENT = "    "
+#: Where functions are that no notebook can import while it is graded.
+EXERCISES = "course_lib.exercises"
 
 
 @dataclass(frozen=True)
@@ -54,8 +57,9 @@ def paste(function: Callable[..., Any], name: str = "", alone: bool = False) -> 
     name : str, optional
         What it is called in the notebook; its own name unless told otherwise.
     alone : bool
-        Whether its module is not to be had in the notebook: the functions of that module that it
-        calls are then written into its body, as a student would.
+        Whether its module is not to be had in the notebook: the functions of that module, or of
+        other exercises, that it calls are then written into its body, as a student would, and so
+        are constants.
 
     Returns
     -------
@@ -71,9 +75,11 @@ def paste(function: Callable[..., Any], name: str = "", alone: bool = False) -> 
     body = textwrap.indent(textwrap.dedent(statements).strip("\n"), INDENT)
     helpers = _helpers(function) if alone else {}
     used = {key: value for f in (function, *helpers.values()) for key, value in _used(f).items()}
-    imports = _imports({key: used[key] for key in used if key not in helpers}, function)
+    constants = _constants(used) if alone else {}
+    used = {key: used[key] for key in used if key not in (helpers | constants)}
+    lines = [*_imports(used, function), *constants.values()]
     sources = [_parsed(helper)[0].rstrip() for helper in helpers.values()]
-    before = [textwrap.indent(text, INDENT) for text in ("\n".join(imports), *sources) if text]
+    before = [textwrap.indent(text, INDENT) for text in ("\n".join(lines), *sources) if text]
     return Pasted(
         _signature(definition, name or function.__name__),
         _docstring(ast.get_docstring(definition) or ""),
@@ -100,16 +106,33 @@ def _used(function: Callable[..., Any]) -> dict[str, Any]:
 
 
 def _helpers(function: Callable[..., Any]) -> dict[str, Callable[..., Any]]:
-    """Return the functions of its own module that a function calls, directly or not."""
+    """Return the functions of its own module or of exercises that it calls, directly or not."""
     found: dict[str, Callable[..., Any]] = {}
     waiting = [function]
     while waiting:
         for name, value in sorted(_used(waiting.pop()).items()):
-            beside = inspect.isfunction(value) and value.__module__ == function.__module__
+            beside = inspect.isfunction(value) and _is_beside(value, function)
             if beside and name not in found and value is not function:
                 found[name] = value
                 waiting.append(value)
     return found
+
+
+def _is_beside(helper: Callable[..., Any], function: Callable[..., Any]) -> bool:
+    """Return whether a function is to be had only where another one is."""
+    return helper.__module__ == function.__module__ or helper.__module__.startswith(EXERCISES)
+
+
+def _constants(used: Mapping[str, Any]) -> dict[str, str]:
+    """Return the assignments of values that cannot be imported from a library."""
+    plain = (bool, int, float, str, tuple, list, dict, np.ndarray)
+    lines = {key: literal(value) for key, value in used.items() if isinstance(value, plain)}
+    patterns = {key: value for key, value in used.items() if isinstance(value, re.Pattern)}
+    lines |= {
+        key: f'__import__("re").compile({value.pattern!r}, {int(value.flags)})'
+        for key, value in patterns.items()
+    }
+    return {key: f"{key} = {line}" for key, line in lines.items()}
 
 
 def _imports(used: Mapping[str, Any], function: Callable[..., Any]) -> list[str]:

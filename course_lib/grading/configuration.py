@@ -12,10 +12,10 @@ from traitlets.config import Config
 from course_lib.authoring.options import find_scripts, release_options
 from course_lib.grading.feedback_page import FeedbackPage
 from course_lib.grading.labelling import LabelCells
+from course_lib.grading.plugin import AnswerOutside
 from course_lib.grading.receipts import write_receipts
 from course_lib.grading.restoring import RestoreCells
-from course_lib.grading.seeding import ExecuteWithSeed, read_key
-from course_lib.grading.verdicts import KeepVerdicts
+from course_lib.grading.seeding import read_key
 
 
 def configure(options: Config, key_file: str | Path) -> None:
@@ -40,11 +40,11 @@ def configure(options: Config, key_file: str | Path) -> None:
         raise SystemExit(f"nbgrader_config.py: {error}.") from error
     find_scripts()
     options.merge(release_options())
-    options.ExecuteWithSeed.key_file = str(key_file)
+    options.AnswerOutside.key_file = str(key_file)
     usual = _usual("sanitize_preprocessors").put(RestoreCells, before=OverwriteCells)
     options.Autograde.sanitize_preprocessors = usual.put(LabelCells, before=ClearOutput)
     options.Autograde.autograde_preprocessors = _usual("autograde_preprocessors").swap(
-        Execute, [ExecuteWithSeed, KeepVerdicts]
+        Execute, [AnswerOutside]
     )
     options.GenerateFeedback.pre_convert_hook = write_receipts
     options.GenerateFeedback.exporter_class = FeedbackPage

@@ -7,20 +7,6 @@ import hmac
 import os
 import secrets
 from pathlib import Path
-from typing import Any
-
-from nbclient.exceptions import DeadKernelError
-from nbformat import NotebookNode
-from nbgrader.preprocessors import Execute
-from nbgrader.utils import is_grade
-from traitlets import List, Unicode
-
-from course_lib.grading.verdicts import STOPPED, no_points
-from course_lib.notebook import GRADING_SEED
-
-#: Without it, exit() in a cell ends the kernel a tenth of a second later, and the score depends on
-#: how many cells are faster than that.
-NO_EXIT = "--IPKernelApp.exec_lines=get_ipython().ask_exit = lambda: None"
 
 
 def write_key(path: Path) -> None:
@@ -80,36 +66,3 @@ def grading_seed(key: bytes, student: str, assignment: str) -> str:
     """
     words = "\x1f".join([student, assignment]).encode()
     return hmac.new(key, words, hashlib.sha256).hexdigest()
-
-
-class ExecuteWithSeed(Execute):  # type: ignore[misc]
-    """Execute a submission while `GRADING_SEED` holds the student's seed.
-
-    The kernel inherits the seed, never the key; afterwards the variable is gone again, also from
-    a JupyterLab in which formgrader runs.
-    """
-
-    key_file = Unicode(help="The file with the term's key.").tag(config=True)
-    extra_arguments = List([NO_EXIT]).tag(config=True)
-
-    def preprocess(
-        self, nb: NotebookNode, resources: dict[str, Any], km: Any = None
-    ) -> tuple[NotebookNode, dict[str, Any]]:
-        """Execute one notebook."""
-        who = resources["nbgrader"]
-        seed = grading_seed(read_key(Path(self.key_file)), who["student"], who["assignment"])
-        os.environ[GRADING_SEED] = seed
-        try:
-            super().preprocess(nb, resources, km)  # changes the notebook in place
-        except DeadKernelError:
-            self.log.warning("The submission of %s stopped its own kernel", who["student"])
-            _say_what_was_not_reached(nb)
-        finally:
-            del os.environ[GRADING_SEED]
-        return nb, resources
-
-
-def _say_what_was_not_reached(nb: NotebookNode) -> None:
-    for cell in nb.cells:
-        if cell.cell_type == "code" and is_grade(cell) and not cell.outputs:
-            cell.outputs = [no_points("PythonStopped", STOPPED)]

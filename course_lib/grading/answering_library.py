@@ -1,0 +1,117 @@
+"""The course's library as a student's process sees it: without references, exercises, judges.
+
+It is a copy, made once for each set of hidden functions. What an exercise asks for is a function
+that notes its call and refuses; the modules that hold exercises or grade are not there at all.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+import shutil
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import course_lib
+import data_generators
+from course_lib.exercises import all_exercises
+from course_lib.judging import Exercise
+
+#: What no submission needs, by package.
+LEFT_OUT = {
+    "course_lib": ("authoring", "exercises", "grading", "starting", "cli.py", "notebook.py"),
+    "data_generators": ("classes.py", "mishaps.py", "pasting_mishaps.py"),
+}
+PACKAGES = {"course_lib": course_lib, "data_generators": data_generators}
+
+
+def hidden_functions(exercises: Iterable[Exercise]) -> frozenset[str]:
+    """Return the full names of the library's functions that would answer some exercises.
+
+    Parameters
+    ----------
+    exercises : iterable of Exercise
+        Those that are asked.
+
+    Returns
+    -------
+    frozenset of str
+        The references, and what the exercises forbid of the library.
+    """
+    names = set()
+    for exercise in exercises:
+        reference = exercise.reference
+        forbidden = [name for name in exercise.forbidden if name.startswith("course_lib.")]
+        names |= {f"{reference.__module__}.{reference.__name__}", *forbidden}
+    return frozenset(names)
+
+
+def all_hidden(chapter: str) -> frozenset[str]:
+    """Return the names of all hidden functions of a chapter."""
+    return hidden_functions(e for e in all_exercises(chapter) if isinstance(e, Exercise))
+
+
+def make_library(folder: Path, hidden: frozenset[str]) -> Path:
+    """Copy the library into a folder, with some functions hidden.
+
+    Parameters
+    ----------
+    folder : pathlib.Path
+        Where copies are kept, one for each set of hidden functions.
+    hidden : frozenset of str
+        Full names.
+
+    Returns
+    -------
+    pathlib.Path
+        The folder to import from.
+    """
+    name = hashlib.sha256("\n".join(sorted(hidden)).encode()).hexdigest()[:16]
+    target = folder / f"library-{name}"
+    if not target.exists():
+        growing = folder / f"library-{name}.part"
+        for package, module in PACKAGES.items():
+            source = Path(str(module.__file__)).parent
+            shutil.copytree(source, growing / package, ignore=_left_out(source, package))
+        plain = growing / "course_lib/sandbox/plain_notebook.py"
+        shutil.copyfile(plain, growing / "course_lib/notebook.py")
+        for full_name in hidden:
+            _hide(growing, full_name)
+        growing.rename(target)
+    return target
+
+
+def _left_out(source: Path, package: str):  # type: ignore[no-untyped-def]
+    """Return what `shutil.copytree` asks which files to leave out."""
+
+    def ignore(folder: str, names: Sequence[str]) -> set[str]:
+        unwanted = {name for name in names if name == "__pycache__" or name.endswith(".pyc")}
+        if Path(folder) == source:
+            unwanted |= set(LEFT_OUT[package])
+        return unwanted
+
+    return ignore
+
+
+def _hide(library: Path, full_name: str) -> None:
+    """Replace a function's statements by a refusal; its docstring stays."""
+    module, _, function = full_name.rpartition(".")
+    path = library.joinpath(*module.split("."))
+    path = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+    if not path.exists():  # it is in what is left out
+        return
+    source = path.read_text(encoding="utf-8")
+    found = [n for n in ast.parse(source).body if getattr(n, "name", "") == function]
+    if not found or not isinstance(found[0], ast.FunctionDef):
+        raise ValueError(f"{full_name} is no function of its module, so it cannot be hidden")
+    body = found[0].body
+    documented = ast.get_docstring(found[0]) is not None
+    first = body[0].end_lineno if documented else body[0].lineno - 1
+    lines = source.splitlines()
+    refusal = [
+        "    from course_lib.sandbox.hidden import ready_made",
+        "",
+        f"    ready_made({full_name!r})",
+    ]
+    lines[first : found[0].end_lineno] = refusal
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")

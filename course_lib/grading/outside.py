@@ -1,0 +1,265 @@
+"""Judge a submission outside of its process: run it behind walls, ask it, compare here."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+from nbformat import NotebookNode
+
+from course_lib.grading.answering_library import hidden_functions, make_library
+from course_lib.grading.isolation import Isolation, demand
+from course_lib.grading.planning import Check, Plan, plan
+from course_lib.grading.servers import Conversation, Job, Server, ServerGoneError
+from course_lib.grading.vetting import crashed, vet
+from course_lib.judging import Answer, Case, Exercise, Verdict, judge, pose, seed_for
+from course_lib.sandbox import wire
+from course_lib.sandbox.limits import Allowance
+
+#: Imported before the first submission comes, whatever its notebook imports.
+USUAL = ("numpy", "scipy.linalg", "scipy.optimize", "matplotlib.pyplot", "cv2")
+UNCLEAR = "kind that cannot be compared"
+
+
+@dataclass(frozen=True)
+class Submitted:
+    """A submission as it is judged.
+
+    Attributes
+    ----------
+    notebook : nbformat.NotebookNode
+        Sanitized: labels and checks are the source's.
+    seed : str
+        From `grading_seed`.
+    given : tuple of str
+        Sources of the cells without a label that students were given.
+    files : mapping of str to bytes
+        What lies beside the notebook.
+    """
+
+    notebook: NotebookNode
+    seed: str
+    given: tuple[str, ...] = ()
+    files: Mapping[str, bytes] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a submission.
+
+    Attributes
+    ----------
+    verdicts : mapping of int to Verdict or None
+        By the check's cell; None where Python had ended before.
+    outputs : mapping of int to mapping
+        What cells wrote, as it came: not vetted yet.
+    reason : str
+        Why it ended early; empty if it did not.
+    """
+
+    verdicts: Mapping[int, Verdict | None]
+    outputs: Mapping[int, Mapping[str, Any]]
+    reason: str
+
+
+class Judge:
+    """Judges submissions, one after the other, with servers of its own.
+
+    Parameters
+    ----------
+    isolation : str
+        ``"bubblewrap"``, or ``"none"``.
+    allowance : Allowance
+        What a submission may use.
+    number : int
+        Which of several judges it is.
+    """
+
+    def __init__(
+        self,
+        isolation: Isolation = "bubblewrap",
+        allowance: Allowance | None = None,
+        number: int = 0,
+    ) -> None:
+        demand(isolation)
+        self._isolation, self._allowance = isolation, allowance or Allowance()
+        self._number = number
+        self._open = ExitStack()
+        self._folder = Path(self._open.enter_context(TemporaryDirectory(prefix="course-grade-")))
+        self._folder.chmod(0o755)  # another user reads the library in it
+        self._servers: dict[frozenset[str], Server] = {}
+
+    def __enter__(self) -> Judge:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._open.close()
+
+    def judge(self, submitted: Submitted) -> Outcome:
+        """Run a submission and judge its answers.
+
+        Parameters
+        ----------
+        submitted : Submitted
+            What was handed in.
+
+        Returns
+        -------
+        Outcome
+            Verdicts and outputs.
+
+        Raises
+        ------
+        ServerGoneError
+            If the isolated Python ended twice; the submission is not judged then.
+        """
+        todo = plan(submitted.notebook, submitted.given)
+        hidden = hidden_functions(check.exercise for check in todo.checks)
+        try:
+            return self._judge(submitted, todo, hidden)
+        except ServerGoneError:
+            self._stop(hidden)
+            return self._judge(submitted, todo, hidden)
+
+    def _judge(self, submitted: Submitted, todo: Plan, hidden: frozenset[str]) -> Outcome:
+        server = self._server(hidden, submitted)
+        job = Job(todo.steps, submitted.files, todo.draws)
+        lines = _lines(submitted.notebook)
+        verdicts: dict[int, Verdict | None] = {}
+        again: list[int] = []
+        with self._running(server, job) as conversation:
+            for number, check in enumerate(todo.checks):
+                asked = self._ask(conversation, number, check.exercise, submitted.seed, lines)
+                verdicts[check.cell] = asked[0] if asked else None
+                again += [number] if asked and asked[1] - {""} else []
+            reason = conversation.reason
+        for number in again:  # something else of the library, that this exercise may use, was gone
+            check = todo.checks[number]
+            verdicts[check.cell] = self._alone(submitted, todo, number, check, lines)
+        return Outcome(verdicts, conversation.outputs, reason)
+
+    def _running(self, server: Server, job: Job) -> Any:
+        return server.run(job, self._allowance, str(self._folder))
+
+    def _alone(
+        self, submitted: Submitted, todo: Plan, number: int, check: Check, lines: Sequence[str]
+    ) -> Verdict | None:
+        """Ask one exercise where only its own reference is hidden."""
+        server = self._server(hidden_functions([check.exercise]), submitted)
+        with self._running(server, Job(todo.steps, submitted.files, todo.draws)) as conversation:
+            asked = self._ask(conversation, number, check.exercise, submitted.seed, lines)
+        return asked[0] if asked else None
+
+    def _ask(
+        self,
+        conversation: Conversation,
+        number: int,
+        exercise: Exercise,
+        seed: str,
+        lines: Sequence[str],
+    ) -> tuple[Verdict, frozenset[str]] | None:
+        """Ask all questions of a check; also return what else the answers missed."""
+        if number not in conversation.reached:
+            return None
+        cases = pose(exercise, seed_for(seed, exercise.name))
+        answers: list[Answer] = []
+        missed: frozenset[str] = frozenset()
+        seconds = self._allowance.answer_seconds
+        for case in cases:
+            if answers and (answers[-1].status == "time limit" or answers[-1] == crashed()):
+                answers.append(crashed() if answers[-1] == crashed() else Answer("time limit"))
+                continue
+            answer, more = _answer(conversation, number, exercise, case, lines, seconds)
+            answers.append(answer)
+            missed |= more
+        return compare(exercise, cases, answers), missed
+
+    def _server(self, hidden: frozenset[str], submitted: Submitted) -> Server:
+        if hidden not in self._servers:
+            library = make_library(self._folder, hidden)
+            preload = [*USUAL, *imported(submitted.notebook)]
+            place = 100 * self._number + len(self._servers)
+            server = Server(library, preload, self._isolation, place)
+            self._servers[hidden] = self._open.enter_context(server)
+        return self._servers[hidden]
+
+    def _stop(self, hidden: frozenset[str]) -> None:
+        if hidden in self._servers:
+            self._servers[hidden].stop()
+
+
+def _answer(
+    conversation: Conversation,
+    number: int,
+    exercise: Exercise,
+    case: Case,
+    lines: Sequence[str],
+    seconds: float,
+) -> tuple[Answer, frozenset[str]]:
+    question = {"part": case.part, "inputs": case.inputs, "seconds": seconds}
+    try:
+        return vet(exercise, case, conversation.ask(number, question), lines, seconds)
+    except wire.Late:
+        return Answer("time limit", message=f"{seconds:g}"), frozenset()
+    except wire.MalformedMessageError:
+        return Answer("too large", message="too many bytes"), frozenset()
+    except wire.Closed:
+        return crashed(), frozenset()
+
+
+def compare(exercise: Exercise, cases: Sequence[Case], answers: Sequence[Answer]) -> Verdict:
+    """Judge answers that may be anything; what cannot be compared is wrong.
+
+    Parameters
+    ----------
+    exercise : Exercise
+        What was asked.
+    cases : sequence of Case
+        With which inputs.
+    answers : sequence of Answer
+        Vetted.
+
+    Returns
+    -------
+    Verdict
+        Without examples.
+    """
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        try:
+            return judge(exercise, cases, answers, reveal=False)
+        except Exception:  # a comparison may stumble over values that nobody thought of
+            unclear = [
+                Answer("not plain", message=UNCLEAR) if a.status == "value" else a for a in answers
+            ]
+            return judge(exercise, cases, unclear, reveal=False)
+
+
+def _lines(notebook: NotebookNode) -> list[str]:
+    code = [cell.source for cell in notebook.cells if cell.cell_type == "code"]
+    return [line.strip() for source in code for line in source.splitlines()]
+
+
+def imported(notebook: NotebookNode) -> Iterable[str]:
+    """Return the modules that the locked cells of a notebook import."""
+    for cell in notebook.cells:
+        if cell.cell_type == "code" and cell.metadata.get("nbgrader", {}).get("locked"):
+            for node in ast.walk(ast.parse(cell.source)):
+                if isinstance(node, ast.Import):
+                    yield from (alias.name for alias in node.names)
+                elif isinstance(node, ast.ImportFrom) and node.module:
+                    yield node.module
+                    yield from (f"{node.module}.{alias.name}" for alias in node.names)

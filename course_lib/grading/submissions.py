@@ -1,0 +1,135 @@
+"""Read what was handed in: a notebook and what lies beside it, whatever state it is in."""
+
+from __future__ import annotations
+
+import json
+import os
+from functools import cache
+from pathlib import Path
+
+import nbformat
+from nbformat import NotebookNode
+
+#: Bytes of a notebook, and of all files beside it, that are still read.
+MOST_NOTEBOOK, MOST_FILES = 30_000_000, 15_000_000
+#: What nbgrader puts beside a notebook; it concerns no program.
+RECEIPTS = {"timestamp.txt", "submission_secret.txt"}
+#: Pictures of the text; no program reads them.
+PICTURES = {".png", ".jpg", ".jpeg", ".svg", ".gif", ".ipynb"}
+
+
+class UnreadableError(ValueError):
+    """A submission cannot be graded; the message is a sentence for the student."""
+
+
+def read_notebook(path: Path) -> NotebookNode:
+    """Read a submitted notebook.
+
+    Parameters
+    ----------
+    path : pathlib.Path
+        The file.
+
+    Returns
+    -------
+    nbformat.NotebookNode
+        In the current format.
+
+    Raises
+    ------
+    UnreadableError
+        If it is no notebook; the message says what is wrong and what to do.
+    """
+    if path.is_symlink() or not path.is_file():
+        raise UnreadableError("The notebook is no ordinary file. Please hand in the file itself.")
+    if path.stat().st_size > MOST_NOTEBOOK:
+        size = path.stat().st_size / 1e6
+        raise UnreadableError(
+            f"The notebook has {size:.0f} MB, which is too much to grade. Please clear its outputs "
+            "(menu Edit, Clear Outputs of All Cells), save it and hand it in again."
+        )
+    content = path.read_bytes()
+    if not content.strip():
+        raise UnreadableError("The file is empty. Please hand in the notebook again.")
+    try:
+        return _parsed(content)
+    except UnreadableError:
+        raise
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise UnreadableError(_what_is_wrong(error)) from None
+
+
+def _parsed(content: bytes) -> NotebookNode:
+    tree = json.loads(content.decode("utf-8-sig"))
+    if not isinstance(tree, dict) or "nbformat" not in tree:
+        raise UnreadableError(
+            "The file is no Jupyter notebook. Please hand in the .ipynb file that you were given."
+        )
+    notebook = nbformat.from_dict(tree)
+    notebook = nbformat.convert(notebook, 4)
+    notebook.nbformat_minor = max(int(notebook.get("nbformat_minor", 0)), 5)
+    _, notebook = nbformat.validator.normalize(notebook, strip_invalid_metadata=True)
+    nbformat.validate(notebook)
+    return notebook
+
+
+def _what_is_wrong(error: Exception) -> str:
+    if isinstance(error, json.JSONDecodeError):
+        return (
+            f"The notebook's file is damaged (line {error.lineno} is not what it should be), "
+            "perhaps because it was not saved or copied to its end. Please open it in JupyterLab, "
+            "save it and hand it in again."
+        )
+    if isinstance(error, UnicodeDecodeError):
+        return (
+            "The notebook's file is damaged: it holds bytes that are no text. Please save it in "
+            "JupyterLab and hand it in again."
+        )
+    return (
+        "The notebook's file is damaged: its cells are not what JupyterLab writes. Please open it "
+        "in JupyterLab, save it and hand it in again."
+    )
+
+
+@cache
+def given_cells(released: Path) -> tuple[str, ...]:
+    """Return the sources of the cells without a label that students were given.
+
+    Parameters
+    ----------
+    released : pathlib.Path
+        The notebook in the term's ``release``; without it nothing counts as given.
+    """
+    if not released.is_file():
+        return ()
+    notebook = nbformat.read(released, as_version=4)
+    code = (cell for cell in notebook.cells if cell.cell_type == "code")
+    return tuple(cell.source for cell in code if not cell.metadata.get("nbgrader"))
+
+
+def files_beside(folder: Path) -> dict[str, bytes]:
+    """Read what a program may want to read beside its notebook, up to a size.
+
+    Parameters
+    ----------
+    folder : pathlib.Path
+        A submission's folder. Links are not followed: they could lead anywhere.
+
+    Returns
+    -------
+    dict of str to bytes
+        By path in the folder.
+    """
+    found: dict[str, bytes] = {}
+    left = MOST_FILES
+    for place, folders, names in os.walk(folder):
+        folders[:] = [f for f in folders if not f.startswith(".")]
+        for name in sorted(names):
+            path = Path(place, name)
+            wanted = name not in RECEIPTS and path.suffix.lower() not in PICTURES
+            if wanted and not path.is_symlink() and path.is_file():
+                left -= path.stat().st_size
+                if left < 0:
+                    return found
+                found[path.relative_to(folder).as_posix()] = path.read_bytes()
+    return found

@@ -1,0 +1,129 @@
+"""Answers at the border: what a student's process says is taken for what it can be, no more.
+
+A verdict reaches the student. So nothing in it may carry an input from the answer to the page: no
+text of an exception, no name that a student chose.
+"""
+
+from __future__ import annotations
+
+import builtins
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any, get_args
+
+from course_lib.judging import Answer, Case, Exercise
+from course_lib.judging.answering import Status
+
+#: Exceptions of other libraries that are named; all of Python's own are.
+NAMED = {"LinAlgError", "AxisError", "UFuncTypeError", "QhullError"}
+EXCEPTIONS = NAMED | {
+    name
+    for name, kind in vars(builtins).items()
+    if isinstance(kind, type) and issubclass(kind, BaseException)
+}
+OWN_ERROR = "an exception of its own"
+TYPES = {name for name, kind in vars(builtins).items() if isinstance(kind, type)} | {
+    "function", "builtin_function_or_method", "generator", "module", "NoneType", "method", "ufunc",
+    "Figure", "Axes", "dict_keys", "dict_values", "Series", "DataFrame", "Fraction", "Decimal",
+}  # fmt: skip
+CRASHED = "a crash: Python itself was ended, or ran out of memory"
+
+
+def vet(
+    exercise: Exercise, case: Case, reply: Any, lines: Sequence[str], seconds: float
+) -> tuple[Answer, frozenset[str]]:
+    """Make an answer of what a student's process sent for one case.
+
+    Parameters
+    ----------
+    exercise : Exercise
+        What was asked.
+    case : Case
+        Its inputs.
+    reply : object
+        A decoded message.
+    lines : sequence of str
+        The lines of the submission, without blanks around them.
+    seconds : float
+        What one call may take.
+
+    Returns
+    -------
+    answer : Answer
+        With nothing in it that the verdict should not show.
+    hidden : frozenset of str
+        Functions of other exercises that the answer called, and that were not there.
+    """
+    if not isinstance(reply, Mapping):
+        return crashed(), frozenset()
+    if "missing" in reply:
+        return Answer(
+            "not attempted", message=what_is_missing(exercise, reply["missing"])
+        ), frozenset()
+    status: Status = reply.get("status", "raised")
+    if status not in get_args(Status):
+        return crashed(), frozenset()
+    hidden = frozenset(name for name in _texts(reply.get("hidden")) if "." in name)
+    own = own_names(exercise)
+    message = _text(reply.get("message"))
+    answer = Answer(
+        status,
+        value=reply.get("value") if status == "value" else None,
+        error=_error(reply.get("error")) if status == "raised" else "",
+        message=_vetted_message(status, message, seconds),
+        line=_line(reply.get("line"), lines),
+        changed_inputs=tuple(n for n in _texts(reply.get("changed_inputs")) if n in case.inputs),
+        called=tuple(sorted(({*_texts(reply.get("called"))} | hidden) & own)),
+    )
+    return answer, hidden - own
+
+
+def own_names(exercise: Exercise) -> frozenset[str]:
+    """Return the names of the ready-made answers to an exercise."""
+    reference = exercise.reference
+    return frozenset({f"{reference.__module__}.{reference.__name__}", *exercise.forbidden})
+
+
+def crashed() -> Answer:
+    """Return the answer of a process that ended, or that sent what is no answer."""
+    return Answer("raised", error=CRASHED)
+
+
+def what_is_missing(exercise: Exercise, found: Any) -> str:
+    """Say that there is no function, or something else under its name."""
+    name = exercise.function_name
+    if found == "":
+        return f"There is no function `{name}`. Was there an error in red when its cell was run?"
+    return f"`{name}` is no function here. Keep the line that begins with `def`."
+
+
+def _vetted_message(status: str, message: str, seconds: float) -> str:
+    """Return the part of a message that may be shown; advice is looked up in that of an error."""
+    if status == "raised":
+        return message
+    if status == "time limit":
+        return f"{seconds:g}"
+    if status == "not plain":
+        known = message in TYPES or message in ("array of object", "array of bytes")
+        return message if known else "kind that you made"
+    if status == "too large":
+        return message if re.fullmatch(r"\d{1,15} (items|bytes)", message) else "too many bytes"
+    return ""
+
+
+def _error(name: Any) -> str:
+    return name if isinstance(name, str) and name in EXCEPTIONS else OWN_ERROR
+
+
+def _line(line: Any, lines: Sequence[str]) -> str:
+    return line if isinstance(line, str) and line in lines else ""
+
+
+def _text(value: Any) -> str:
+    return value[:300] if isinstance(value, str) else ""
+
+
+def _texts(value: Any) -> list[str]:
+    """Return the texts of a short list; the order is the sender's."""
+    items = value if isinstance(value, tuple | list) else ()
+    return [item for item in items[:50] if isinstance(item, str) and len(item) < 200]

@@ -1,0 +1,157 @@
+"""A server that has imported everything already: for each submission it forks.
+
+It runs inside bubblewrap and never runs a student's code itself. For each job it forks a guard;
+the guard's child leaves the others (`walls`), and only the grandchild becomes the notebook. The
+guard watches time and memory from outside, and ends everything of the submission at once.
+"""
+
+from __future__ import annotations
+
+import gc
+import importlib
+import os
+import select
+import signal
+import socket
+import sys
+import time
+from contextlib import suppress
+from typing import Any, NoReturn
+
+from course_lib.sandbox import walls, wire
+from course_lib.sandbox.limits import Allowance
+
+#: Seconds between two looks at the memory.
+LOOK = 0.05
+#: From the grader: begin a job. With it come the ends of its lines: life, talk, questions.
+BEGIN = b"J"
+MOST_LINES = 200
+
+
+def main(number: int) -> None:
+    """Serve jobs until the grader closes the line.
+
+    Parameters
+    ----------
+    number : int
+        The file descriptor of the line.
+    """
+    line = socket.socket(fileno=number)
+    settings = wire.receive(line, trusted=True)
+    if settings["user"]:
+        walls.become(settings["user"])
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the kernel takes ended guards away
+    _preload(settings["preload"])
+    wire.send(line, "ready")
+    gc.collect()
+    gc.freeze()
+    while True:
+        message, ends, _, _ = socket.recv_fds(line, 1, MOST_LINES)
+        if message != BEGIN:
+            return
+        if os.fork() == 0:
+            line.close()
+            _guard([socket.socket(fileno=end) for end in ends], settings["walls"])
+        for end in ends:
+            os.close(end)
+
+
+def _preload(modules: list[str]) -> None:
+    """Import what notebooks import; a module that is not there is the notebook's own trouble."""
+    from course_lib.sandbox import notebook
+
+    notebook.make_shell()
+    for name in modules:
+        with suppress(Exception):
+            importlib.import_module(name)
+
+
+def _guard(lines: list[socket.socket], inner_walls: bool) -> NoReturn:
+    """Start a submission and watch over it; end it when the grader has gone or it does harm."""
+    life, *others = lines
+    try:
+        walls.die_with_parent()
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+        allowance = Allowance(**wire.receive(life, 10, trusted=True))
+        child = os.fork()
+        if child == 0:
+            life.close()
+            _enter(others, allowance, inner_walls)
+        for line in others:
+            line.close()
+        reason = _watch(life, child, allowance, inner_walls)
+        with suppress(ProcessLookupError):
+            os.killpg(child, signal.SIGKILL) if not inner_walls else os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        wire.send(life, reason)
+    except (wire.Closed, wire.Late):
+        pass
+    finally:
+        os._exit(0)
+
+
+def _watch(life: socket.socket, child: int, allowance: Allowance, inner_walls: bool) -> str:
+    """Return why a submission must end now: it is finished, or the name of a limit."""
+    start, own = time.monotonic(), (os.getpid(), os.getppid(), child)
+    grader = select.poll()
+    grader.register(life, select.POLLIN | select.POLLHUP)
+    while not grader.poll(int(LOOK * 1000)):
+        if os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT):
+            return "finished"
+        if time.monotonic() - start > allowance.total_seconds:
+            return "time"
+        if inner_walls and walls.too_much_memory(allowance.memory, own):
+            return "memory"
+    return "stopped"
+
+
+def _enter(lines: list[socket.socket], allowance: Allowance, inner_walls: bool) -> NoReturn:
+    """Go behind the inner walls, and run the notebook there."""
+    try:
+        walls.die_with_parent()
+        if inner_walls:
+            walls.leave_the_others()
+            if os.fork():
+                _wait_for_all(lines)
+            walls.die_with_parent()
+            walls.settle(allowance)
+        else:
+            os.setpgid(0, 0)
+        walls.limit(allowance)
+        if os.fork() == 0:
+            _become_notebook(lines, allowance)
+        _wait_for_all(lines)
+    except BaseException as error:
+        with suppress(Exception):
+            wire.send(lines[0], {"trouble": f"{type(error).__name__}: {error}"})
+    finally:
+        os._exit(0)
+
+
+def _wait_for_all(lines: list[socket.socket]) -> NoReturn:
+    """Wait until no child is left; the first process of a namespace is the parent of all."""
+    for line in lines:
+        line.close()
+    with suppress(ChildProcessError):
+        while True:
+            os.wait()
+    os._exit(0)
+
+
+def _become_notebook(lines: list[socket.socket], allowance: Allowance) -> NoReturn:
+    from course_lib.sandbox.notebook import run_notebook
+
+    talk, *questions = lines
+    try:
+        os.setsid()
+        job: dict[str, Any] = wire.receive(talk, 20, trusted=True)
+        run_notebook(job, talk, questions, allowance)
+    except BaseException as error:
+        with suppress(Exception):
+            wire.send(talk, {"trouble": f"{type(error).__name__}: {error}"})
+    finally:
+        os._exit(0)
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]))
