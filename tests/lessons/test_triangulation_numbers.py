@@ -312,6 +312,14 @@ def test_dense_stereo():
     says("At 2.5 m, 0.2 px is 6.5 mm")
     assert np.isfinite(dense.dense_disparity()).sum() / 1e4 == about(32, 0)
     says("320 000 points")
+    door = slice(5, 88), slice(185, 285)
+    known = np.isfinite(pair.motorcycle().truth[door])
+    wrong = [
+        1 - (np.abs(found[door] - pair.motorcycle().truth[door]) <= dense.BAD)[known].mean()
+        for found in (dense.block_matching(4), dense.dense_disparity())
+    ]
+    assert (100 * wrong[0], wrong[1]) == (about(68, 0), 0)
+    says("wrong for 68 % of the pixels, the program for none")
     bad = np.abs(dense.dense_disparity() - pair.motorcycle().truth) > dense.BAD
     edges = dense.kinds()["edges"]
     assert 100 * (bad & edges).sum() / bad.sum() == about(82, 0)

@@ -16,16 +16,18 @@ from course_lib.triangulation import depth_from_disparity, depth_uncertainty
 Floats = NDArray[np.float64]
 RGB = NDArray[np.uint8]
 
-SHOWN_SIZE, CURVE_SIZE, NEAR_SIZE = (370, 250), (400, 230), (340, 230)
+#: Two pictures a row, where there is room: three are too wide.
+SHOWN_SIZE, CURVE_SIZE, NEAR_SIZE = (448, 302), (448, 240), (448, 240)
 SCALE = SHOWN_SIZE[0] / SIZE[0]
 FARTHEST = 70  # px: the largest disparity that is tried
 REACH = 12  # px: the widest window reaches so far to each side
 #: How far off good matches of a window of 9 px are in these photographs, RMS, px.
 SIGMA = 0.35
-TILE = 150  # px of a window that is enlarged
+TILE = 190  # px of a window that is enlarged
+TILES, TOP = (20, 238), 32  # where they begin, px
 #: Another disparity fits nearly as well if its difference is at most so many times the smallest.
 ALIKE = 1.15
-AXES = Plot((44, 384, 30, 186), (0, FARTHEST), (0, 100))
+AXES = Plot((44, 436, 32, 196), (0, FARTHEST), (0, 100))
 
 
 class Match(NamedTuple):
@@ -195,7 +197,7 @@ def _right(u: int, v: int, h: int, found: Match, truth: float) -> Picture:
         SHOWN_SIZE,
         _small()[1],
         lines=tuple(lines),
-        labels=(Label("ring: truth", (6, 240), "image"),),
+        labels=(Label("ring: truth", (6, 290), "image"),),
     )
 
 
@@ -209,7 +211,7 @@ def _curve(found: Match, truth: float) -> Picture:
     if np.isfinite(truth) and 0 <= truth <= FARTHEST:
         lines.append(Line(AXES.pixels(truth, AXES.y), "image", 1.5, dashed=True))
     return Picture(
-        "Difference of the windows",
+        "Difference",
         f"The difference of the windows along the row. It is smallest, {least:.1f} grey levels, at "
         f"a disparity of {found.disparity:.1f} pixels; as good elsewhere: {_elsewhere(found)}.",
         CURVE_SIZE,
@@ -226,12 +228,10 @@ def _windows(u: int, v: int, h: int, found: Match) -> Picture:
     import cv2
 
     pair, canvas = motorcycle(), np.full((*NEAR_SIZE[::-1], 3), 255, np.uint8)
-    for picture, column, left in ((pair.left, u, 10), (pair.right, u - found.best, 180)):
+    for picture, column, left in ((pair.left, u, TILES[0]), (pair.right, u - found.best, TILES[1])):
         part = picture[v - h : v + h + 1, column - h : column + h + 1]
-        size = (TILE, TILE)
-        canvas[50 : 50 + TILE, left : left + TILE] = cv2.resize(
-            part, size, interpolation=cv2.INTER_NEAREST
-        )
+        tile = cv2.resize(part, (TILE, TILE), interpolation=cv2.INTER_NEAREST)
+        canvas[TOP : TOP + TILE, left : left + TILE] = tile
     return Picture(
         "Enlarged",
         f"The window of the left picture and the one that fits best in the right picture: "
@@ -239,7 +239,7 @@ def _windows(u: int, v: int, h: int, found: Match) -> Picture:
         NEAR_SIZE,
         canvas,
         labels=(
-            Label("left", (10 + TILE / 2, 36), "object", "middle"),
-            Label("right", (180 + TILE / 2, 36), "camera", "middle"),
+            Label("left", (TILES[0] + TILE / 2, 16), "object", "middle"),
+            Label("right", (TILES[1] + TILE / 2, 16), "camera", "middle"),
         ),
     )

@@ -95,7 +95,7 @@ def judged() -> dict[str, float]:
 
 
 def kinds() -> dict[str, NDArray[np.bool_]]:
-    """Return which pixels, of those with a known truth and a partner in the picture, are what.
+    """Return which pixels, of those with a known truth and where the matcher searches, are what.
 
     Returns
     -------

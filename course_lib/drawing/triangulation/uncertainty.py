@@ -87,7 +87,7 @@ def cloud(yours: Any = None) -> Figure:
     off = 1000 * (thousand_answers() - POINT)[:, [0, 2]]
     near.plot(*off.T, ".", color=ROLES["object"], ms=3, alpha=0.5)
     near.plot(*outline(C).T, color=ROLES["camera"], lw=2)
-    share = f"{inside(off, C):.0%} inside of 2σ"
+    share = f"{100 * inside(off, C):.0f} % inside of 2σ"
     covariance = same_shape(yours, np.zeros((3, 3)))
     if covariance is not None and np.isfinite(covariance).all():
         part = 1e6 * covariance[np.ix_([0, 2], [0, 2])]
