@@ -66,6 +66,11 @@ EXPLORERS = {
         ("poses", "pose_explorer", "Which views tell what", "noise"),
         ("reprojection inspector", "reprojection_inspector", "Inspect the residuals", "du"),
     ),
+    "epipolar": (
+        ("epipolar line", "epipolar_explorer", "The epipolar line of a point", "Z"),
+        ("RANSAC stepper", "ransac_stepper", "RANSAC, draw by draw", "n"),
+        ("rectification", "rectification_explorer", "Rectification", "s"),
+    ),
     "triangulation": (
         ("triangulation bench", "bench_explorer", "Triangulation bench", "X"),
         ("disparity", "disparity_explorer", "Disparity of a real pair", "v"),
@@ -291,7 +296,7 @@ def measure(chapter: str, rounds: int = 15, drags: int = 3) -> list[Row]:
     with page_with(cells) as (page, mouse):
         take_turns(page, mouse, [bare, *(c for pair in pairs for c in pair)], rounds, drags)
         rows = _rows(bare, pairs)
-        if chapter == "pinhole":
+        if chapter in ("pinhole", "epipolar"):
             pointer = pointer_latency(page, pairs[0][0].root)
             rows.append(Row("what follows the pointer", pointer, "ms", goal="≤ 16 ms"))
     return rows

@@ -73,6 +73,19 @@ EXPLORERS = {
         "Inspect the residuals",
         "Look at du",
     ),
+    "epipolar": (
+        "epipolar",
+        "epipolar_explorer",
+        "The epipolar line of a point",
+        "Depth of the candidate Z",
+    ),
+    "ransac": ("epipolar", "ransac_stepper", "RANSAC, draw by draw", "Draw"),
+    "rectification": (
+        "epipolar",
+        "rectification_explorer",
+        "Rectification",
+        "As taken (0) to rectified (1)",
+    ),
     "bench": ("triangulation", "bench_explorer", "Triangulation bench", "Baseline b"),
     "disparity": ("triangulation", "disparity_explorer", "Disparity of a real pair", "Column u"),
 }
@@ -309,6 +322,27 @@ def test_marks_say_what_they_are_and_a_press_calls_the_spot(page):
         text = root.get_by_role("slider", name=name).get_attribute("aria-valuetext")
         assert abs(float(text.removesuffix(" px"))) < 0.05
     root.get_by_role("button", name="Reset").click()
+
+
+def test_the_pointer_draws_its_ray_in_other_pictures_without_python(page):
+    root = page.get_by_role("region", name=EXPLORERS["epipolar"][2])
+    root.scroll_into_view_if_needed()
+    root.get_by_role("button", name="Reset").click()
+    settle(root)
+    frame, pictures = root.get_attribute("data-frame"), root.get_by_role("img").all()
+    before = [pixels(picture.locator("xpath=..")) for picture in pictures[1:3]]
+    box = pictures[0].bounding_box()
+    scale, seen = box["width"] / 340, []
+    for u, v in ((60, 60), (200, 200)):
+        page.mouse.move(box["x"] + (u + 0.5) * scale, box["y"] + (v + 0.5) * scale)
+        seen.append([pixels(picture.locator("xpath=..")) for picture in pictures[1:3]])
+    for which in (0, 1):  # on the right, and from above
+        assert (seen[0][which] != before[which]).mean() > 0.003
+        assert (seen[0][which] != seen[1][which]).mean() > 0.003
+    page.mouse.move(box["x"] + 5, box["y"] - 60)
+    after = pixels(pictures[1].locator("xpath=.."))
+    np.testing.assert_array_equal(after, before[0])
+    assert root.get_attribute("data-frame") == frame
 
 
 def test_choices_and_switches_change_the_picture(page):
