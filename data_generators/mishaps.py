@@ -72,13 +72,12 @@ NOISES: Mapping[str, Mishap] = {
     "warns": _before("import warnings", "warnings.warn('this is only a draft')"),
     "writes to stderr": _before("import sys", "print('careful', file=sys.stderr)"),
     "logs": _logs,
-    "leaves": _outside("exit()"),
+    "replaces the check and leaves": _outside("def check(name):", "    return 4.0", "exit()"),
     "shows a picture": _before(
         "from IPython.display import display", "display({'text/plain': 'a plot'}, raw=True)"
     ),
     "prints in the cell": _outside("for step in range(20_000):", "    print('step', step)"),
     "fails in the cell": _outside("1 / 0"),
-    "replaces the check": _outside("def check(name):", "    return 4.0"),
 }
 
 #: Right answers with something in the cell that makes it impossible to grade what follows.
