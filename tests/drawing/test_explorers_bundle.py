@@ -29,6 +29,13 @@ def dragged(handle, at):
     return {name: a + b * at[0] + c * at[1] for name, a, b, c in handle.moves}
 
 
+def named(places):
+    """Return places of the game's points by the names of their sliders."""
+    return {
+        f"{c}{i}": v for i, place in enumerate(places, 1) for c, v in zip("xy", place, strict=True)
+    }
+
+
 # A block grows
 
 
@@ -169,8 +176,7 @@ def test_more_control_is_never_worse_and_a_dome_never_better():
 
 
 def test_a_spot_is_dragged_to_the_nearest_point_of_the_grid():
-    places = [c for place in game.START for c in place]
-    picture = game.control_frame(5, True, *places).pictures[0]
+    picture = game.control_frame(5, True, **named(game.START)).pictures[0]
     handle = picture.handles[2]
     at = game.PLAN.at(96.0, 24.0)
     moved = dragged(handle, at)
@@ -179,8 +185,7 @@ def test_a_spot_is_dragged_to_the_nearest_point_of_the_grid():
 
 
 def test_the_map_shows_the_errors():
-    places = [c for place in game.START for c in place]
-    picture = game.control_frame(4, True, *places).pictures[0]
+    picture = game.control_frame(4, True, **named(game.START)).pictures[0]
     control = tuple(game.numbered(*place) for place in game.START[:4])
     errors = 1000 * placement.height_errors(control, True)
     for number in (16, 82, 140):
@@ -191,12 +196,11 @@ def test_the_map_shows_the_errors():
 
 
 def test_the_score_is_the_share_of_the_best():
-    places = [c for place in game.START for c in place]
-    frame = game.control_frame(4, True, *places)
+    frame = game.control_frame(4, True, **named(game.START))
     share = value(frame, "Best choice found") / value(frame, "Height error over all points")
     assert value(frame, "Score") == pytest.approx(100 * share, abs=1)
     best = [divmod(n, 15) for n in placement.best_control(4, True)]
-    flat = [12.0 * c for row, column in best for c in (column, row)]
-    assert value(game.control_frame(4, True, *flat, 0, 0), "Score") == 100
-    line = game.control_frame(3, False, 0, 0, 12, 12, 24, 24, 0, 12, 0, 24)
+    places = [(12.0 * column, 12.0 * row) for row, column in best]
+    assert value(game.control_frame(4, True, **named(places)), "Score") == 100
+    line = game.control_frame(3, False, **named([(0, 0), (12, 12), (24, 24)]))
     assert "do not fix" in line.readouts[0].value

@@ -31,20 +31,7 @@ SCALE = Plot((540, 560, 36, 356), (0, 1), (0, 200))
 COLOURS = ("#FFFFFF", "#F6D79A", "#E69F00", "#A45F00", "#4D2C00")
 
 
-def control_frame(
-    n: float,
-    dome: bool,
-    x1: float,
-    y1: float,
-    x2: float,
-    y2: float,
-    x3: float,
-    y3: float,
-    x4: float,
-    y4: float,
-    x5: float,
-    y5: float,
-) -> Frame:
+def control_frame(n: float, dome: bool, **at: float) -> Frame:
     """Return the map of height errors for a choice of control points.
 
     Parameters
@@ -53,29 +40,32 @@ def control_frame(
         How many of the points are used, 3 to 5.
     dome : bool
         Whether the lens is off.
-    x1, y1, …, x5, y5 : float
-        East and north of the points, m.
+    **at : float
+        ``x1``, ``y1`` … ``x5``, ``y5``: east and north of the points, m.
 
     Returns
     -------
     Frame
         The map, the error over all points, and the score against the best choice.
     """
-    places = [(x1, y1), (x2, y2), (x3, y3), (x4, y4), (x5, y5)][: int(n)]
+    places = [(at[f"x{i}"], at[f"y{i}"]) for i in range(1, int(n) + 1)]
     control = tuple(numbered(*place) for place in places)
-    errors, best = height_errors(control, dome), check_error(best_control(int(n), dome), dome)
+    errors = height_errors(control, dome)
+    return Frame((_map(places, errors),), _numbers(control, errors, dome))
+
+
+def _numbers(control: tuple[int, ...], errors: Floats | None, dome: bool) -> tuple[Readout, ...]:
+    """Return what the choice is worth, in numbers."""
     if errors is None:
         words = "These points do not fix the block: they lie on one line, or on each other"
-        readouts: tuple[Readout, ...] = (Readout("No height", "", words),)
-    else:
-        mine = check_error(control, dome)
-        readouts = (
-            Readout("Height error over all points", "", f"{1000 * mine:.0f}", "mm"),
-            Readout("Worst point", "", f"{1000 * errors.max():.0f}", "mm"),
-            Readout("Best choice found", "", f"{1000 * best:.0f}", "mm"),
-            Readout("Score", "", f"{100 * min(best / mine, 1):.0f}", "%"),
-        )
-    return Frame((_map(places, errors),), readouts)
+        return (Readout("No height", "", words),)
+    mine, best = check_error(control, dome), check_error(best_control(len(control), dome), dome)
+    return (
+        Readout("Height error over all points", "", f"{1000 * mine:.0f}", "mm"),
+        Readout("Worst point", "", f"{1000 * errors.max():.0f}", "mm"),
+        Readout("Best choice found", "", f"{1000 * best:.0f}", "mm"),
+        Readout("Score", "", f"{100 * min(best / mine, 1):.0f}", "%"),
+    )
 
 
 def numbered(x: float, y: float) -> int:
