@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-MOST = 8
+MOST = 16
 
 
 def kept(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -140,8 +140,10 @@ def sample_marked(points1, points2, samples, threshold):
 # --- pose_from_essential ----------------------------------------------------------------------
 
 W = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+depths = kept(pair_depths)
 
 
+@kept
 def turns(E: Any) -> Any:
     """Return both rotations, and the direction of t."""
     U, _, Vt = np.linalg.svd(E)
@@ -154,7 +156,7 @@ def first_that(accepts: Any, found: Any, points1: Any, points2: Any) -> Any:
     rotations, t = found
     for R in rotations:
         for signed in (t, -t):
-            if accepts(*pair_depths(R, signed, points1, points2)):
+            if accepts(*depths(R, signed, points1, points2)):
                 return R, signed
     return None
 
@@ -185,14 +187,14 @@ def one_turn_only(E, points1, points2):
 def one_sign_only(E, points1, points2):
     rotations, t = turns(E)
     for R in rotations:
-        if in_front(*pair_depths(R, t, points1, points2)):
+        if in_front(*depths(R, t, points1, points2)):
             return R, t
     return None
 
 
 def one_sign_and_the_other_turn_else(E, points1, points2):
     (R, other), t = turns(E)
-    return (R if in_front(*pair_depths(R, t, points1, points2)) else other), t
+    return (R if in_front(*depths(R, t, points1, points2)) else other), t
 
 
 def behind_the_cameras(E, points1, points2):
