@@ -75,34 +75,41 @@ def numbered(x: float, y: float) -> int:
 
 def _map(places: list[tuple[float, float]], errors: Floats | None) -> Picture:
     """Return the plan: errors as colours, the cameras, and the control points as spots."""
-    where = "; ".join(f"({x:.0f}, {y:.0f})" for x, y in places)
-    if errors is None:
-        words = f"Control points at {where} m do not fix the block."
-    else:
-        far = int(np.argmax(errors))
-        row, column = divmod(far, COLUMNS)
-        words = (
-            f"Map of height errors with control points at {where} m. The largest, "
-            f"{1000 * errors[far]:.0f} mm, is at ({STEP * column:.0f}, {STEP * row:.0f}) m."
-        )
-    left, right, top, bottom = PLAN.box
-    metres = PLAN.x[1] / (right - left), PLAN.y[1] / (bottom - top)
-    handles, labels = [], []
-    for i, (x, y) in enumerate(places, 1):
-        at = PLAN.at(x, y)
-        across = (f"x{i}", -left * metres[0], metres[0], 0.0)
-        handles.append(Handle(at, (across, (f"y{i}", bottom * metres[1], 0.0, -metres[1]))))
-        labels.append(Label(f"{i}", (at[0] + 9, at[1] - 11)))
+    labels = []
+    for i, place in enumerate(places, 1):
+        u, v = PLAN.at(*place)
+        labels.append(Label(f"{i}", (u + 9, v - 11)))
     cameras = crosses(PLAN.pixels(*free_block().block.centres[:, :2].T), 4)
     return Picture(
         "Drag the control points",
-        words,
+        _in_words(places, errors),
         SIZE,
         _picture(errors),
         lines=(PLAN.frame(), Line(cameras, "camera", 1.5)),
         labels=(*_words(), *labels),
-        handles=tuple(handles),
+        handles=tuple(_handle(i, place) for i, place in enumerate(places, 1)),
     )
+
+
+def _in_words(places: list[tuple[float, float]], errors: Floats | None) -> str:
+    """Return what the map shows."""
+    where = "; ".join(f"({x:.0f}, {y:.0f})" for x, y in places)
+    if errors is None:
+        return f"Control points at {where} m do not fix the block."
+    far = int(np.argmax(errors))
+    row, column = divmod(far, COLUMNS)
+    return (
+        f"Map of height errors with control points at {where} m. The largest, "
+        f"{1000 * errors[far]:.0f} mm, is at ({STEP * column:.0f}, {STEP * row:.0f}) m."
+    )
+
+
+def _handle(number: int, place: tuple[float, float]) -> Handle:
+    """Return the spot of a control point; dragged, it moves its two sliders."""
+    left, right, top, bottom = PLAN.box
+    east, north = PLAN.x[1] / (right - left), PLAN.y[1] / (bottom - top)
+    across = (f"x{number}", -left * east, east, 0.0)
+    return Handle(PLAN.at(*place), (across, (f"y{number}", bottom * north, 0.0, -north)))
 
 
 @cache
