@@ -48,7 +48,6 @@ SOLVE_NORMAL_BLOCK = Exercise(
         Misconception(
             step.points_uphill,
             "The step of the cameras is right. Which sign has the gradient of a point?",
-            also=[step.all_points_uphill],
         ),
         Misconception(
             step.cameras_put_in_with_plus,
@@ -62,13 +61,14 @@ SOLVE_NORMAL_BLOCK = Exercise(
         Misconception(
             step.V_not_inverted,
             "The better a point is held, the less it gives way. Is your V inverted?",
-            also=[step.inverted_entry_by_entry, step.V_not_inverted_at_the_end],
+            also=[
+                step.inverted_entry_by_entry,
+            ],
         ),
         Misconception(
             step.the_last_point_only,
             "With one point it is right. Does each round of your loop add to what was there "
             "before, or replace it?",
-            also=[step.the_first_point_only],
         ),
         Misconception(
             step.U_once_for_each_point,
@@ -115,7 +115,9 @@ BUNDLE_ADJUST = Exercise(
         Misconception(
             wrong.the_whole_blocks_damped,
             "Which entries of a block does the damping change: all of them?",
-            also=[wrong.W_damped_too, wrong.one_added_to_all],
+            also=[
+                wrong.W_damped_too,
+            ],
         ),
         Misconception(
             wrong.ones_on_the_diagonal,
@@ -123,12 +125,10 @@ BUNDLE_ADJUST = Exercise(
             "the same to all, or a share of each?",
         ),
         Misconception(
-            wrong.one_left_out,
-            "With a tiny damping, does your diagonal stay nearly what it was?",
-        ),
-        Misconception(
             wrong.step_subtracted,
-            "The gradients have got their minus already. In which direction do you go?",
+            "Your steps never help. Do you turn their sign round, or multiply the diagonal with a "
+            "number near zero?",
+            also=[wrong.one_left_out],
         ),
         Misconception(
             wrong.only_cameras_moved,
@@ -138,7 +138,6 @@ BUNDLE_ADJUST = Exercise(
         Misconception(
             wrong.every_step_kept,
             "A step that helps is right. Where do you stay after one that makes the error larger?",
-            also=[wrong.every_step_kept_but_damping_raised],
         ),
         Misconception(
             wrong.larger_errors_kept,
@@ -161,11 +160,6 @@ BUNDLE_ADJUST = Exercise(
         Misconception(
             wrong.damping_left_out_of_the_answer,
             "Cameras and points are right. What else does the next step need to know?",
-        ),
-        Misconception(
-            wrong.in_brackets_of_its_own,
-            "Your answer is a pair, the first of which is a block. Is each of the four a value of "
-            "its own?",
         ),
         Misconception(
             wrong.the_step_returned,

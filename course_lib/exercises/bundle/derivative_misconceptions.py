@@ -45,13 +45,6 @@ def f_left_out(point, K, R, t):
     return chained(by_the_ray(np.eye(3), q), q, R)
 
 
-def f_left_out_of_the_depth(point, K, R, t):
-    q = R @ point + t
-    A = by_the_ray(K, q)
-    A[:, 2] /= np.diag(K)[:2]
-    return chained(A, q, R)
-
-
 def pixels_for_the_ray(point, K, R, t):
     """Derive by the depth as -u/z, with the principal point in u."""
     q = R @ point + t
@@ -77,11 +70,6 @@ def rotation_left_out_of_q(point, K, R, t):
 
 def the_world_for_q(point, K, R, t):
     return chained(by_the_ray(K, point), point, R)
-
-
-def rotation_transposed_in_q(point, K, R, t):
-    q = R.T @ point + t
-    return chained(by_the_ray(K, q), q, R)
 
 
 def rotation_transposed(point, K, R, t):
@@ -134,12 +122,6 @@ def point_with_minus(point, K, R, t):
     q = R @ point + t
     A = by_the_ray(K, q)
     return np.hstack([-A @ skew(q), -A @ R]), -A @ R
-
-
-def all_signs_turned(point, K, R, t):
-    q = R @ point + t
-    A = by_the_ray(K, q)
-    return np.hstack([A @ skew(q), A @ R]), -A @ R
 
 
 def move_before_turn(point, K, R, t):

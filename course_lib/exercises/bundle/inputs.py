@@ -8,7 +8,7 @@ import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
 
-from course_lib.exercises.bundle import plain
+from course_lib import bundle
 from course_lib.judging import Known
 from course_lib.transforms import look_at, rotation_from_vector
 
@@ -145,11 +145,24 @@ def a_step_that_does_not(rng: Generator) -> Inputs:
     A first step is made here. The one after it is too long.
     """
     while True:
-        block = some_pixels_wrong(rng, 1e-3)
+        block = some_pixels_wrong(rng, 0.002)
         turn = rotation_from_vector([0, 0, rng.uniform(1.55, 1.7)])
         block["R"] = np.concatenate([[turn @ block["R"][0]], block["R"][1:]])
         block["t"] = np.concatenate([[turn @ block["t"][0]], block["t"][1:]])
-        R, t, points, _ = plain.bundle_adjust(**block)
-        block |= {"R": R, "t": t, "points": points, "damping": 0.002}
-        if plain.bundle_adjust(**block)[3] > 0.002:
-            return block
+        after, gain = stepped(block)
+        if gain > 0 > stepped(after)[1]:
+            return after
+
+
+def stepped(block: Inputs) -> tuple[Inputs, float]:
+    """Return a block after a damped step, helpful or not, and by how much its error falls."""
+    damping = block["damping"]
+    place = {name: value for name, value in block.items() if name != "damping"}
+    U, W, V, g_c, g_p = bundle.normal_blocks(**place)
+    U[np.diag_indices(len(U))] *= 1 + damping
+    V[:, range(3), range(3)] *= 1 + damping
+    step = bundle.solve_normal_block(U, W, V, g_c, g_p)
+    moved = bundle.move_block(block["R"], block["t"], block["points"], *step)
+    there = {**place, **dict(zip(("R", "t", "points"), moved, strict=True))}
+    gain = bundle.squared_error(**place) - bundle.squared_error(**there)
+    return {**there, "damping": damping}, gain

@@ -31,10 +31,6 @@ def K_not_inverted(points, pixels, K):
     return pose_of(K @ resection.camera_dlt(points, pixels))
 
 
-def K_transposed(points, pixels, K):
-    return pose_of(K.T @ resection.camera_dlt(points, pixels))
-
-
 def K_from_the_right(points, pixels, K):
     P = resection.camera_dlt(points, pixels)
     M = np.column_stack([P[:, :3] @ np.linalg.inv(K), np.linalg.inv(K) @ P[:, 3]])
@@ -45,12 +41,6 @@ def K_for_the_rotation_only(points, pixels, K):
     P = resection.camera_dlt(points, pixels)
     U, S, Vt = np.linalg.svd(np.linalg.inv(K) @ P[:, :3])
     return U @ Vt, P[:, 3] / S.mean()
-
-
-def K_for_the_rotation_only_not_divided(points, pixels, K):
-    P = resection.camera_dlt(points, pixels)
-    U, _, Vt = np.linalg.svd(np.linalg.inv(K) @ P[:, :3])
-    return U @ Vt, P[:, 3]
 
 
 def not_made_a_rotation(points, pixels, K):
@@ -79,19 +69,9 @@ def divided_by_the_first(points, pixels, K):
     return U @ Vt, last / S[0]
 
 
-def divided_by_the_last(points, pixels, K):
-    U, S, Vt, last = parts_of(without_K(points, pixels, K))
-    return U @ Vt, last / S[-1]
-
-
 def divided_by_the_sum(points, pixels, K):
     U, S, Vt, last = parts_of(without_K(points, pixels, K))
     return U @ Vt, last / S.sum()
-
-
-def divided_by_the_length_of_S(points, pixels, K):
-    U, S, Vt, last = parts_of(without_K(points, pixels, K))
-    return U @ Vt, last / np.linalg.norm(S)
 
 
 def divided_to_length_one(points, pixels, K):
@@ -102,11 +82,6 @@ def divided_to_length_one(points, pixels, K):
 def V_not_transposed(points, pixels, K):
     U, S, Vt, last = parts_of(without_K(points, pixels, K))
     return U @ Vt.T, last / S.mean()
-
-
-def U_for_the_rotation(points, pixels, K):
-    U, S, _, last = parts_of(without_K(points, pixels, K))
-    return U, last / S.mean()
 
 
 def camera_to_world(points, pixels, K):

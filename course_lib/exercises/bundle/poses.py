@@ -25,7 +25,9 @@ RESECT_CAMERA = Exercise(
             wrong.K_left_out,
             "P takes points to pixels. What must be taken off its left before rotation and "
             "translation are left?",
-            also=[wrong.K_not_inverted, wrong.K_transposed],
+            also=[
+                wrong.K_not_inverted,
+            ],
         ),
         Misconception(
             wrong.K_from_the_right,
@@ -34,7 +36,6 @@ RESECT_CAMERA = Exercise(
         Misconception(
             wrong.K_for_the_rotation_only,
             "Your R is right. Is your t a last column of pixels, or of the world's unit?",
-            also=[wrong.K_for_the_rotation_only_not_divided],
         ),
         Misconception(
             wrong.not_made_a_rotation,
@@ -56,9 +57,7 @@ RESECT_CAMERA = Exercise(
             "The three numbers of the SVD differ a little. Do you take one of them, their sum, or "
             "what the text says?",
             also=[
-                wrong.divided_by_the_last,
                 wrong.divided_by_the_sum,
-                wrong.divided_by_the_length_of_S,
             ],
         ),
         Misconception(
@@ -68,7 +67,6 @@ RESECT_CAMERA = Exercise(
         Misconception(
             wrong.V_not_transposed,
             "NumPy gives U, S and a third matrix. Is that V, or its transpose already?",
-            also=[wrong.U_for_the_rotation],
         ),
         Misconception(
             wrong.centre_for_translation,
@@ -121,7 +119,6 @@ REPROJECTION_JACOBIAN = Exercise(
         Misconception(
             slope.f_left_out,
             "Are your numbers in pixels? Where is the focal length?",
-            also=[slope.f_left_out_of_the_depth],
         ),
         Misconception(
             slope.pixels_for_the_ray,
@@ -138,7 +135,6 @@ REPROJECTION_JACOBIAN = Exercise(
             also=[
                 slope.translation_left_out,
                 slope.rotation_left_out_of_q,
-                slope.rotation_transposed_in_q,
             ],
         ),
         Misconception(
@@ -176,7 +172,6 @@ REPROJECTION_JACOBIAN = Exercise(
         Misconception(
             slope.point_with_minus,
             "A point moves to the right. Does its pixel, by your numbers, move to the left?",
-            also=[slope.all_signs_turned],
         ),
         Misconception(
             slope.move_before_turn,

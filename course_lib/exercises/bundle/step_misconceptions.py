@@ -64,11 +64,6 @@ def cameras_put_in_with_plus(U, W, V, g_c, g_p):
     return cameras, followed(W, V, g_p, -cameras)
 
 
-def all_points_uphill(U, W, V, g_c, g_p):
-    cameras = left_for_cameras(U, W, V, g_c, g_p)
-    return cameras, -followed(W, V, g_p, cameras)
-
-
 def points_do_not_follow(U, W, V, g_c, g_p):
     cameras = left_for_cameras(U, W, V, g_c, g_p)
     return cameras, np.linalg.solve(V, -g_p[..., None])[..., 0]
@@ -81,11 +76,6 @@ def V_not_inverted(U, W, V, g_c, g_p):
     return cameras, followed(W, V, g_p, cameras)
 
 
-def V_not_inverted_at_the_end(U, W, V, g_c, g_p):
-    cameras = left_for_cameras(U, W, V, g_c, g_p)
-    return cameras, np.einsum("nij,nj->ni", V, -g_p - np.einsum("nck,c->nk", W, cameras))
-
-
 def inverted_entry_by_entry(U, W, V, g_c, g_p):
     Y = W @ (1 / V)
     S = U - sum(Y @ W.swapaxes(1, 2))
@@ -95,11 +85,6 @@ def inverted_entry_by_entry(U, W, V, g_c, g_p):
 
 def the_last_point_only(U, W, V, g_c, g_p):
     cameras = left_for_cameras(U, W[-1:], V[-1:], g_c, g_p[-1:])
-    return cameras, followed(W, V, g_p, cameras)
-
-
-def the_first_point_only(U, W, V, g_c, g_p):
-    cameras = left_for_cameras(U, W[:1], V[:1], g_c, g_p[:1])
     return cameras, followed(W, V, g_p, cameras)
 
 
