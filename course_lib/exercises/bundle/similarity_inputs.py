@@ -14,7 +14,8 @@ from course_lib.transforms import rotation_from_vector
 Inputs = dict[str, Any]
 Floats = NDArray[np.float64]
 
-#: Numbers of pictures for which 2π by the step comes out a hair too large.
+#: Numbers of pictures for which 2π by the step comes out exact, and a hair too large.
+EXACT = tuple(n for n in range(12, 73) if 360 % n == 0 and 2 * np.pi / np.radians(360 / n) == n)
 ROUNDED_UP = tuple(n for n in range(20, 400) if 2 * np.pi / np.radians(360 / n) > n)
 
 
@@ -22,7 +23,7 @@ ROUNDED_UP = tuple(n for n in range(20, 400) if 2 * np.pi / np.radians(360 / n) 
 
 
 def steps_that_fill_the_circle(rng: Generator) -> Known:
-    count = int(rng.choice([12, 15, 18, 20, 24, 30, 36, 40, 45, 60, 72]))
+    count = int(rng.choice(EXACT))
     return Known({"step": float(np.radians(360 / count))}, count)
 
 
@@ -59,7 +60,7 @@ def laid_over(rng: Generator, points: Floats, moved: Floats) -> Inputs:
 def model(rng: Generator, count: int) -> Floats:
     """Draw points that lie far from zero, and differently far along each axis."""
     spread = rng.permutation([1, 2, 3])
-    return rng.uniform(-1, 1, (count, 3)) * spread + rng.uniform(2, 4, 3)
+    return np.asarray(rng.uniform(-1, 1, (count, 3)) * spread + rng.uniform(2, 4, 3))
 
 
 def exact_targets(rng: Generator) -> Inputs:

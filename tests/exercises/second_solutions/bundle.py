@@ -56,3 +56,36 @@ def bundle_adjust(K, R, t, points, pixels, damping):
     answers[1].append(0.1 * damping)
     errors = [bundle.squared_error(K, *answer[:3], pixels) for answer in answers]
     return answers[int(np.argmin(errors))]
+
+
+def pictures_for_circle(step):
+    """Picture after picture, until the steps are small enough."""
+    count = 1
+    while 2 * np.pi / count > step * (1 + 1e-12):
+        count += 1
+    return count
+
+
+def similarity_transform(points, targets):
+    """The rotation by Horn's quaternion, and the scale from the turned points."""
+    x, y = points - np.mean(points, 0), targets - np.mean(targets, 0)
+    (a, b, c), (d, e, f), (g, h, i) = x.T @ y
+    symmetric = np.array(
+        [
+            [a + e + i, f - h, g - c, b - d],
+            [f - h, a - e - i, b + d, g + c],
+            [g - c, b + d, e - a - i, f + h],
+            [b - d, g + c, f + h, i - a - e],
+        ]
+    )
+    w, *v = np.linalg.eigh(symmetric)[1][:, 3]
+    cross = np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+    R = np.eye(3) + 2 * w * cross + 2 * cross @ cross
+    scale = np.vdot(y, x @ R.T) / np.vdot(x, x)
+    return [scale, R, np.mean(targets - scale * points @ R.T, axis=0)]
+
+
+def check_point_rmse(estimated, surveyed):
+    off = np.subtract(estimated, surveyed)
+    axes = [np.linalg.norm(one) / len(off) ** 0.5 for one in off.T]
+    return [*axes, np.hypot(np.hypot(*axes[:2]), axes[2])]
