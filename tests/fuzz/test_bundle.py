@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from fuzzing import either, fuzzing, intrinsics, numbers, outcome
+from fuzzing import either, fuzzing, intrinsics, numbers, outcome, rows_of
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -20,6 +20,10 @@ pixels = st.lists(st.tuples(numbers, numbers), min_size=1, max_size=7)
 indices = st.lists(st.integers(-1, 9), max_size=7)
 vector = st.tuples(numbers, numbers, numbers)
 matrices = st.one_of(st.just(np.eye(3)), st.lists(vector, min_size=3, max_size=3))
+turns = st.sampled_from([[np.eye(3)] * 2, [np.diag([-1, -1, 1]), np.eye(3)]])
+two, three = rows_of(2, 3), rows_of(3, 3)
+table = rows_of(6, 2).map(lambda rows: [rows[:3], rows[3:]])
+twelve = rows_of(1, 12).map(lambda rows: rows[0])
 K = np.array([[800.0, 0, 320], [0, 800, 240], [0, 0, 1]])
 POSES = orientation.poses_from_three_points
 rng = partial(np.random.default_rng, 0)
@@ -40,6 +44,27 @@ CALLS = {
     "Block": (Block, (matrices, st.lists(matrices, max_size=3), space, space)),
     "reprojection_jacobian": (bundle.reprojection_jacobian, (vector, intrinsics, matrices, vector)),
     "solve_normal_block": (bundle.solve_normal_block, (matrices, space, space, vector, space)),
+    "connected_parts": (
+        lambda *seen: bundle.connected_parts(Observations(*seen), 5),
+        (indices, indices, pixels),
+    ),
+    "normal_blocks": (bundle.normal_blocks, (intrinsics, turns, two, three, table)),
+    "squared_error": (
+        lambda *block: max(bundle.squared_error(*block), -1) < np.inf,
+        (intrinsics, turns, two, three, table),
+    ),
+    "move_block": (bundle.move_block, (turns, two, three, twelve, three)),
+}
+#: What is tried below with a whole block, and what the functions return.
+WITH_A_BLOCK = {"bundle_adjust", "check_block"}
+VALUES = {
+    "BundleAdjustment",
+    "CheckErrors",
+    "NormalBlocks",
+    "Precision",
+    "RelativeOrientation",
+    "Resection",
+    "Similarity",
 }
 
 
@@ -59,6 +84,11 @@ def finite(result):
     if isinstance(result, np.ndarray | float):
         return bool(np.isfinite(result).all())
     return True
+
+
+def test_every_public_function_is_fuzzed():
+    public = {*bundle.__all__, *orientation.__all__}
+    assert public == {*CALLS, *MATCHED, *WITH_A_BLOCK, *VALUES}
 
 
 @pytest.mark.parametrize("name", CALLS)

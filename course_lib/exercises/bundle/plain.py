@@ -168,7 +168,7 @@ def bundle_adjust(K, R, t, points, pixels, damping):
     points : ndarray, shape (n, 3)
         Points of the world.
     pixels : ndarray, shape (v, n, 2)
-        Where each camera sees each point.
+        Where each camera sees each point; NaN where it does not.
     damping : float
         λ, the damping of this step.
 
