@@ -77,7 +77,7 @@ EXPLORERS = {
         "epipolar",
         "epipolar_explorer",
         "The epipolar line of a point",
-        "Depth of the candidate Z",
+        "Point on the left u",
     ),
     "ransac": ("epipolar", "ransac_stepper", "RANSAC, draw by draw", "Draw"),
     "rectification": (

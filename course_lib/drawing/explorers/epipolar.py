@@ -19,12 +19,12 @@ Floats = NDArray[np.float64]
 
 WIDTH = 340
 SIZE = (340, 255)
-SPACE_SIZE, NEAR_SIZE = (290, 256), (126, 256)
+SPACE_SIZE, NEAR_SIZE = (264, 256), (160, 200)
 #: How far rays are drawn in space, and cameras, m.
 NEAREST, PYRAMID, SHOWN = 0.3, 2.0, 60.0
 DEPTHS = (4.0, 6.0, 10.0, 20.0, 50.0)
 PATCH = 21  # px that are compared
-SIDE = 112  # px of an enlarged patch
+SIDE = 94  # px of an enlarged patch
 
 
 def epipolar_frame(arrangement: str, u: float, v: float, Z: float) -> Frame:
@@ -137,7 +137,7 @@ def _beside(place: Floats, name: str) -> Label:
 @cache
 def _bird() -> tuple[Camera, NDArray[np.uint8]]:
     """Return the camera above the street, and its photograph."""
-    K = np.array([[250.0, 0, 144.5], [0, 250, 127.5], [0, 0, 1]])
+    K = np.array([[240.0, 0, 131.5], [0, 240, 127.5], [0, 0, 1]])
     view = camera_at((-13, -13, 11), (0.8, 2.0, 1.4), K, SPACE_SIZE)
     return view, renderer().picture(view)
 
