@@ -1,21 +1,28 @@
-"""Whatever a student's function returns, the cells of chapter 02 that use it run to their end."""
+"""Whatever a student's function returns, the cells that use it run to their end."""
 
 import ast
 import re
+from functools import cache
 
 import matplotlib as mpl
 import numpy as np
 import pytest
 from lesson_text import lesson_text
 
-from course_lib.exercises.homogeneous import EXERCISES
+from course_lib.exercises import all_exercises
 from course_lib.judging import Exercise
 
 mpl.use("Agg")  # as a test has no screen
 
-CODE = re.findall(r"```\{code-cell\} ipython3\n(.*?)```", lesson_text("02_homogeneous"), re.S)
-CELLS = [cell for cell in CODE if "[exercise]" not in cell and "explorer()" not in cell]
-FUNCTIONS = [exercise for exercise in EXERCISES if isinstance(exercise, Exercise)]
+#: Chapters whose cells are tried, and their lessons.
+LESSONS = {"homogeneous": "02_homogeneous", "triangulation": "09_triangulation"}
+FUNCTIONS = [e for name in LESSONS for e in all_exercises(name) if isinstance(e, Exercise)]
+
+
+def cells(chapter):
+    """Return the code of a lesson, without exercises and explorers."""
+    code = re.findall(r"```\{code-cell\} ipython3\n(.*?)```", lesson_text(LESSONS[chapter]), re.S)
+    return [cell for cell in code if "[exercise]" not in cell and "explorer()" not in cell]
 
 
 def student(exercise, function):
@@ -47,20 +54,22 @@ def filled(exercise, number):
     return lambda *inputs: fill(exercise.reference(*inputs))
 
 
-@pytest.fixture(scope="module")
-def scope():
-    """Return the variables of the lesson after all its cells, answered rightly."""
-    scope = {e.function_name: student(e, e.reference) for e in FUNCTIONS}
-    for cell in CELLS:
+@cache
+def answered(chapter):
+    """Return a chapter's cells, and its variables after all of them, answered rightly."""
+    own = [e for e in FUNCTIONS if e.chapter == chapter]
+    scope = {e.function_name: student(e, e.reference) for e in own}
+    for cell in cells(chapter):
         run(cell, scope)
-    return scope
+    return cells(chapter), scope
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # what Python says of a student's division
 @pytest.mark.parametrize("exercise", FUNCTIONS, ids=lambda e: e.function_name)
-def test_cells_survive_wrong_answers(exercise, scope):
+def test_cells_survive_wrong_answers(exercise):
+    code, scope = answered(exercise.chapter)
     name = exercise.function_name
-    using = [cell for cell in CELLS if re.search(rf"\b{name}\b", cell)]
+    using = [cell for cell in code if re.search(rf"\b{name}\b", cell)]
     assert using
     wrong = [v for m in exercise.misconceptions for v in (m.variant, *m.also)]
     wrong += [filled(exercise, number) for number in (0.0, np.nan, 1e100, -1e-300)]
