@@ -75,6 +75,10 @@ EXPLORERS = {
         ("triangulation bench", "bench_explorer", "Triangulation bench", "X"),
         ("disparity", "disparity_explorer", "Disparity of a real pair", "v"),
     ),
+    "bundle": (
+        ("reconstruction stepper", "growing_explorer", "A block grows", "turn"),
+        ("control points", "control_point_game", "Place the control points", "x1"),
+    ),
 }
 
 # What is on the screen: the number of the frame drawn, or the picture that Matplotlib made. New

@@ -88,6 +88,8 @@ EXPLORERS = {
     ),
     "bench": ("triangulation", "bench_explorer", "Triangulation bench", "Baseline b"),
     "disparity": ("triangulation", "disparity_explorer", "Disparity of a real pair", "Column u"),
+    "growing": ("bundle", "growing_explorer", "A block grows", "Cameras"),
+    "control": ("bundle", "control_point_game", "Place the control points", "Point 1 east"),
 }
 #: Those with a photograph that the pointer reads; everything is tried on them.
 READABLE = ("aperture", "focal", "dolly", "depth", "corners")
