@@ -43,7 +43,7 @@ def check_numbers(value: ArrayLike, name: str) -> Array:
     ValueError
         If it holds NaN, infinity or a number beyond 1e75, or rows of different lengths.
     """
-    array = _real_numbers(value, name)
+    array = check_real(value, name)
     # NaN is in every maximum, and compares as False.
     if array.size and not max(array.max(), -array.min()) <= LARGEST:
         if not np.isfinite(array).all():
@@ -54,7 +54,8 @@ def check_numbers(value: ArrayLike, name: str) -> Array:
     return array
 
 
-def _real_numbers(value: ArrayLike, name: str) -> Array:
+def check_real(value: ArrayLike, name: str) -> Array:
+    """Return `value` as a `float64` array of real numbers; NaN may stand for what is missing."""
     try:
         array = np.asarray(value)
     except ValueError as error:
@@ -90,7 +91,7 @@ def check_not_negative(value: ArrayLike, name: str) -> Array:
 
 def check_distance(value: ArrayLike, name: str) -> Array:
     """Return `value` as positive numbers; infinity, the distance of a star, is one of them."""
-    array = _real_numbers(value, name)
+    array = check_real(value, name)
     check_positive(np.where(np.isposinf(array), 1, array), name)
     return array
 

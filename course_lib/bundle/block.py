@@ -55,7 +55,7 @@ class Block:
                 f"(n, 3), got {R.shape}, {t.shape} and {points.shape}"
             )
         K = check_numbers(self.K, "K")
-        if K.ndim == 2:
+        if K.ndim != 3:
             K = np.repeat(check_intrinsics(K)[None], len(R), axis=0)
         else:
             for each in K:

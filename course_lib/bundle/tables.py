@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from course_lib.bundle.block import Block, Observations
 from course_lib.bundle.derivatives import Image, Position
-from course_lib.checks import Array, check_matrix, check_vector
+from course_lib.checks import Array, check_matrix, check_numbers, check_real, check_vector
 
 
 class NormalBlocks(NamedTuple):
@@ -146,7 +146,8 @@ def move_block(
     TypeError, ValueError
         If a shape is wrong or a number is not finite.
     """
-    start = Block(np.eye(3), np.asarray(R), np.asarray(t), np.asarray(points))
+    R, t, points = check_numbers(R, "R"), check_numbers(t, "t"), check_numbers(points, "points")
+    start = Block(np.eye(3), R, t, points)
     steps = check_vector(cameras, 6 * len(start.R), "cameras").reshape(-1, 6)
     shifts = check_matrix(moves, (len(start.points), 3), "moves")
     moved = Position.of(start).moved(steps, shifts)
@@ -156,8 +157,9 @@ def move_block(
 def _checked(
     K: ArrayLike, R: ArrayLike, t: ArrayLike, points: ArrayLike, pixels: ArrayLike
 ) -> tuple[Block, Array]:
-    block = Block(np.asarray(K), np.asarray(R), np.asarray(t), np.asarray(points))
-    table = np.asarray(pixels, dtype=np.float64)
+    K, R, t = check_numbers(K, "K"), check_numbers(R, "R"), check_numbers(t, "t")
+    block = Block(K, R, t, check_numbers(points, "points"))
+    table = check_real(pixels, "pixels")
     wanted = len(block.R), len(block.points), 2
     if table.shape != wanted:
         raise ValueError(
