@@ -89,6 +89,15 @@ EIGHT_POINT = Exercise(
             "You go back from normalised points. Which points are in your equations?",
         ),
         Misconception(
+            wrong.last_number_fixed,
+            "Without noise it is right. You make the last number of F 1. Which length should be 1?",
+        ),
+        Misconception(
+            wrong.entries_multiplied,
+            "Which sign multiplies matrices, and which one entry by entry?",
+            also=[wrong.entries_multiplied_on_the_way_back],
+        ),
+        Misconception(
             wrong.first_vector,
             "Which singular vector makes A f shortest: that of the largest value, or the smallest?",
         ),

@@ -124,6 +124,26 @@ def pixels_in_the_equations(points1, points2):
     return T2.T @ rank_two(null_matrix(points1, points2)) @ T1
 
 
+def last_number_fixed(points1, points2):
+    near1, T1 = normalise_points(points1)
+    near2, T2 = normalise_points(points2)
+    x1, x2 = homogeneous(near1), homogeneous(near2)
+    A = (x2[:, :, None] * x1[:, None, :]).reshape(-1, 9)
+    f = np.linalg.lstsq(A[:, :8], -A[:, 8], rcond=None)[0]
+    return T2.T @ rank_two(np.append(f, 1).reshape(3, 3)) @ T1
+
+
+def entries_multiplied(points1, points2):
+    F, T1, T2 = normalised(points1, points2)
+    U, s, Vt = np.linalg.svd(F)
+    return T2.T @ (U * np.diag([s[0], s[1], 0]) * Vt) @ T1
+
+
+def entries_multiplied_on_the_way_back(points1, points2):
+    F, T1, T2 = normalised(points1, points2)
+    return T2.T * rank_two(F) * T1
+
+
 def first_vector(points1, points2):
     return of_vector(points1, points2, lambda Vt: Vt[0])
 

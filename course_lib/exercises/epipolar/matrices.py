@@ -153,6 +153,11 @@ FUNDAMENTAL_FROM_CAMERAS = Exercise(
             "x1 stands on the right. Which matrix meets it first: that of camera 1 or of camera 2?",
         ),
         Misconception(
+            wrong.entries_multiplied,
+            "Which sign multiplies matrices, and which one entry by entry?",
+            also=[wrong.last_entries_multiplied, wrong.first_entries_multiplied],
+        ),
+        Misconception(
             wrong.epipole_last,
             "In which picture is the cross product taken: before camera 2 looks, or after?",
         ),

@@ -175,6 +175,21 @@ def factors_turned_round(P1, P2):
     return skew(e2) @ inverse @ M2
 
 
+def entries_multiplied(P1, P2):
+    _, M2, inverse, e2 = blocks(P1, P2)
+    return skew(e2) * M2 * inverse
+
+
+def last_entries_multiplied(P1, P2):
+    _, M2, inverse, e2 = blocks(P1, P2)
+    return skew(e2) @ (M2 * inverse)
+
+
+def first_entries_multiplied(P1, P2):
+    _, M2, inverse, e2 = blocks(P1, P2)
+    return skew(e2) * (M2 @ inverse)
+
+
 def epipole_last(P1, P2):
     _, M2, inverse, e2 = blocks(P1, P2)
     return M2 @ inverse @ skew(e2)

@@ -14,8 +14,10 @@ RANSAC_FUNDAMENTAL = Exercise(
     points=8,
     compare=MatrixAndFits(),
     parts={
-        "a quarter wrong": Part(inputs.quarter_wrong, cases=1, weight=4),
-        "nearly half wrong": Part(inputs.half_wrong, cases=1, weight=4),
+        "exact pairs, and a quarter wrong": Part(inputs.exact_but_a_quarter, cases=1, weight=4),
+        "pairs with noise, and nearly half wrong": Part(
+            inputs.noisy_but_nearly_half, cases=1, weight=4
+        ),
     },
     forbidden=(
         "course_lib.epipolar.robust.ransac_fundamental",
@@ -24,14 +26,13 @@ RANSAC_FUNDAMENTAL = Exercise(
     misconceptions=[
         Misconception(
             wrong.last_sample,
-            "Few pairs fit your F. Is it that of the first sample, the last, the worst, or of no "
-            "sample at all?",
+            "Few pairs fit your F. What decides which sample you keep: its place, its errors, or "
+            "how many pairs fit?",
             also=[
                 wrong.last_sample_not_refined,
                 wrong.first_sample,
-                wrong.first_sample_not_refined,
+                wrong.smallest_sum_of_errors,
                 wrong.fewest_fits,
-                wrong.fewest_fits_not_refined,
                 wrong.samples_not_used,
                 wrong.samples_not_used_but_refined,
                 wrong.first_eight_pairs,
@@ -39,7 +40,8 @@ RANSAC_FUNDAMENTAL = Exercise(
         ),
         Misconception(
             wrong.not_refined,
-            "Your F knows eight pairs only. How many agree with it, and could help?",
+            "Without noise it is right. Your F knows eight pairs. How many agree with it, and "
+            "could help?",
             also=[wrong.last_of_the_best_not_refined],
         ),
         Misconception(

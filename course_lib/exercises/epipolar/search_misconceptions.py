@@ -47,17 +47,15 @@ def first_sample(points1, points2, samples, threshold):
     return from_those(points1, points2, in_turn(points1, points2, samples, threshold)[0][1])
 
 
-def first_sample_not_refined(points1, points2, samples, threshold):
-    return in_turn(points1, points2, samples, threshold)[0]
+def smallest_sum_of_errors(points1, points2, samples, threshold):
+    found = in_turn(points1, points2, samples, threshold)
+    _, fits = min(found, key=lambda one: sampson_error(points1, points2, one[0]).sum())
+    return from_those(points1, points2, fits)
 
 
 def fewest_fits(points1, points2, samples, threshold):
     worst = tried(points1, points2, samples, threshold)[-1]
     return from_those(points1, points2, worst[1])
-
-
-def fewest_fits_not_refined(points1, points2, samples, threshold):
-    return tried(points1, points2, samples, threshold)[-1]
 
 
 def not_refined(points1, points2, samples, threshold):
