@@ -18,6 +18,10 @@ def rounded_down_without_care(step):
     return math.floor(2 * np.pi / step)
 
 
+def floor_division(step):
+    return 2 * np.pi // step
+
+
 def rounded_to_the_nearest(step):
     return round(2 * np.pi / step)
 
@@ -56,6 +60,10 @@ def rounding_asks_for_one_more(step):
 
 def upside_down(step):
     return math.ceil(step / (2 * np.pi))
+
+
+def share_of_a_circle(step):
+    return step / (2 * np.pi)
 
 
 # --- check_point_rmse -------------------------------------------------------------------------
@@ -134,6 +142,29 @@ def space_only(estimated, surveyed):
 
 def all_coordinates_only(estimated, surveyed):
     return np.sqrt(((estimated - surveyed) ** 2).mean())
+
+
+def in_two_pieces(estimated, surveyed):
+    squares = ((estimated - surveyed) ** 2).mean(axis=0)
+    return np.sqrt(squares), np.sqrt(squares.sum())
+
+
+def space_in_front(estimated, surveyed):
+    return np.roll(roots(((estimated - surveyed) ** 2).mean(axis=0)), 1)
+
+
+def axes_not_squared(estimated, surveyed):
+    axes = np.sqrt(((estimated - surveyed) ** 2).mean(axis=0))
+    return np.append(axes, np.sqrt(axes.sum()))
+
+
+def deviations_and_all(estimated, surveyed):
+    off = estimated - surveyed
+    return np.append(off.std(axis=0), off.std())
+
+
+def of_each_point_and_all(estimated, surveyed):
+    return roots(((estimated - surveyed) ** 2).mean(axis=1))
 
 
 def of_each_point(estimated, surveyed):

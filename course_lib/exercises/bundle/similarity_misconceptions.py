@@ -55,6 +55,47 @@ def row_of_U_turned(points, targets):
     return laid(points, targets, (S * signs).sum() / (x**2).sum(), (U.T * signs).T @ Vt)
 
 
+def column_of_R_turned(points, targets):
+    _, _, x, _, U, S, Vt = parts(points, targets)
+    signs = np.array([1, 1, np.sign(np.linalg.det(U @ Vt))])
+    return laid(points, targets, (S * signs).sum() / (x**2).sum(), (U @ Vt) * signs)
+
+
+def column_of_R_turned_but_not_S(points, targets):
+    _, _, x, _, U, S, Vt = parts(points, targets)
+    signs = np.array([1, 1, np.sign(np.linalg.det(U @ Vt))])
+    return laid(points, targets, S.sum() / (x**2).sum(), (U @ Vt) * signs)
+
+
+def product_of_all_points(points, targets):
+    _, _, x, y, *_ = parts(points, targets)
+    U, S, Vt = np.linalg.svd(y @ x.T)
+    return laid(points, targets, S.sum() / (x**2).sum(), U @ Vt)
+
+
+def star_for_matrix_product(points, targets):
+    _, _, x, y, *_ = parts(points, targets)
+    U, S, Vt = np.linalg.svd(y * x)
+    return laid(points, targets, S.sum() / (x**2).sum(), U @ Vt)
+
+
+def mean_of_S(points, targets):
+    scale, R, _ = right(points, targets)
+    return laid(points, targets, scale / 3, R)
+
+
+def mean_of_the_ratios(points, targets):
+    _, _, x, y, *_ = parts(points, targets)
+    scale = np.mean(np.linalg.norm(y, axis=1) / np.linalg.norm(x, axis=1))
+    return laid(points, targets, scale, right(points, targets)[1])
+
+
+def ratio_of_the_mean_lengths(points, targets):
+    _, _, x, y, *_ = parts(points, targets)
+    scale = np.linalg.norm(y, axis=1).sum() / np.linalg.norm(x, axis=1).sum()
+    return laid(points, targets, scale, right(points, targets)[1])
+
+
 def scale_from_one_distance(points, targets):
     scale = np.linalg.norm(targets[1] - targets[0]) / np.linalg.norm(points[1] - points[0])
     return laid(points, targets, scale, right(points, targets)[1])
@@ -149,6 +190,11 @@ def mean_of_all_numbers(points, targets):
     signs = np.array([1, 1, np.sign(np.linalg.det(U @ Vt))])
     R, scale = (U * signs) @ Vt, (S * signs).sum() / (x**2).sum()
     return scale, R, goal - scale * R @ np.full(3, middle)
+
+
+def move_of_one_point(points, targets):
+    scale, R, _ = right(points, targets)
+    return scale, R, targets[0] - scale * R @ points[0]
 
 
 def move_without_turn(points, targets):
