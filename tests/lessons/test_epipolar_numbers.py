@@ -14,6 +14,7 @@ from course_lib.drawing.distortion.boards import PHOTOGRAPHS
 from course_lib.drawing.epipolar import street
 from course_lib.drawing.explorers import pairs, ransac, rectification
 from course_lib.drawing.explorers.epipolar import epipolar_frame
+from course_lib.drawing.explorers.whole_camera import LAMP
 from course_lib.epipolar.fundamental import pair_rows
 from course_lib.exercises import all_exercises
 from course_lib.homography import normalise_points
@@ -58,13 +59,13 @@ def test_points_of_all_exercises():
     assert len(all_exercises("epipolar")) == 6 + 5 + 1
 
 
-def test_the_lamp_is_between_the_third_spot_and_the_fourth():
+def test_the_lamp_is_between_the_second_spot_and_the_third():
     one, _ = pairs.cameras(pairs.TOWARDS, street.WIDTH)
-    depth = float(one.R[2] @ pairs.LAMP + one.t[2])
+    depth = float(one.R[2] @ LAMP + one.t[2])
     assert depth == about(14, 0)
-    assert street.DEPTHS[2] < depth < street.DEPTHS[3]
+    assert street.DEPTHS[1] < depth < street.DEPTHS[2]
     assert (street.DEPTHS[0], street.DEPTHS[-1]) == (9, 35)
-    says("9 m before the camera", "35 m, at the last", "14 m away", "the third spot and the fourth")
+    says("9 m before the camera", "35 m, at the last", "14 m away", "the second spot and the third")
 
 
 def depths_that_agree(u, v):

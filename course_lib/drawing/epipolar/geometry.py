@@ -75,7 +75,7 @@ def epipolar_plane() -> Figure:
         name = f"camera {n}, centre $C_{n}$"
         _spot(ax, view, camera.centre, "camera", name, (0, 26))
     _spot(ax, view, POINT, "object", "$X$", (0, -18))
-    part = view.project(0.28 * one.centre + 0.72 * other.centre)
+    part = view.project(0.71 * one.centre + 0.29 * other.centre)
     write(ax, part + np.array([0, 20]), "baseline", "guide", fontsize=11, bbox=PAPER)
     inside = view.project((one.centre + other.centre + 2.2 * POINT) / 4.2)
     write(ax, inside, "epipolar\nplane", fontsize=11)
@@ -89,7 +89,7 @@ def _spot(
     """Mark a point of space with its name."""
     at = view.project(point)
     ax.plot(*at, "o", color=ROLES[role], ms=7, mec="white")
-    colour = None if role == "ray" else role
+    colour = None if role in ("ray", "second") else role  # too light for letters
     write(ax, at + away, name, colour, fontsize=12, bbox=PAPER)
 
 
@@ -128,8 +128,8 @@ def four_poses() -> Figure:
             _from_above(ax, at, forward, role)
         ax.plot(point[0], point[2], "o", color=ROLES["object"], ms=7, mec="white")
         fit(ax, -2.1, 1.8, -2.0, 2.4)
-    for name, role, ax in (("camera 1", "camera", axes[0]), ("camera 2", "second", axes[0])):
-        write(ax, (-0.2, -1.3 if role == "camera" else -1.75), name, role, fontsize=10)
+    write(axes[0], (-0.2, -1.3), "blue: camera 1", fontsize=9)
+    write(axes[0], (-0.2, -1.75), "purple: camera 2", fontsize=9)
     return fig
 
 

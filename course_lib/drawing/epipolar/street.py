@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 WIDTH = 480
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.85}
-DEPTHS = (9.0, 11.0, 13.0, 16.0, 22.0, 35.0)
+DEPTHS = (9.0, 12.0, 16.0, 22.0, 35.0)
 COLOURS = ("camera", "ray", "image", "object", "second")
 #: Five of the pairs that both cameras see, spread over the picture.
 CHOSEN = 5
@@ -60,7 +60,7 @@ def _both(which: str) -> tuple[Figure, NDArray[np.object_]]:
 
 
 @figure(
-    "Two pictures of a street. In the left one a ring marks a lamp; in the right one six spots "
+    "Two pictures of a street. In the left one a ring marks a lamp; in the right one five spots "
     "show where it would be if it were 9 to 35 m away. They lie on a line."
 )
 def candidates() -> Figure:
@@ -76,8 +76,8 @@ def candidates() -> Figure:
     left.plot(*at, "o", mfc="none", mec=ROLES["object"], ms=13, mew=2.5)
     spots = Trail.between(*cameras(TOWARDS, WIDTH), 1, 1.0, DEPTHS).spots(at)
     right.plot(*spots.T, "o", color=ROLES["object"], ms=6, mec="white")
-    for n, (depth, (u, v)) in enumerate(zip(DEPTHS, spots, strict=True)):
-        write(right, (u, v + (18 if n % 2 else 40)), f"{depth:g} m", bbox=PAPER, fontsize=8)
+    for depth, (u, v) in zip(DEPTHS, spots, strict=True):
+        write(right, (u, v + 24), f"{depth:g} m", bbox=PAPER, fontsize=8)
     return fig
 
 
