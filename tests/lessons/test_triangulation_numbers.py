@@ -171,6 +171,9 @@ def test_disparity_and_depth():
     assert about(192031.7, 0) == pair.F * pair.BASELINE
     says("$f = 994.978$ px, $b = 193.001$ mm and $o = 31.086$ px", "192\\,031/76.086 = 2523.9$ mm")
     assert true_points()[:, 2].tolist() == [about(2529.1, 1), about(2326.0, 1)]
+    d = pair.F * pair.BASELINE / np.array([2000, 2500, 4000, 5000])
+    assert (-np.diff(d)[[0, 2]]).tolist() == [about(19, 0), about(10, 0)]
+    says("From 2 to 2.5 m the disparity falls by 19 px, from 4 to 5 m by 10 px only")
     says("It says 2529.1 and 2326.0 mm; by hand we have 2523.9 and 2325.2 mm")
 
 
