@@ -16,7 +16,7 @@ from course_lib.triangulation import triangulate_linear
 #: A point is added when two of its rays meet at this angle or more.
 NARROW = np.deg2rad(2.0)
 #: So many points must agree on the pose of a camera, and such a share of those that it sees.
-LEAST_AGREED, AGREED_SHARE = 12, 0.25
+LEAST_AGREED, AGREED_SHARE = 8, 0.25
 #: If a ray to a point was thrown out, so many others must agree.
 AFTER_DOUBT = 3
 #: So many triples of points are tried for the pose of a camera.
