@@ -116,7 +116,7 @@ def test_whatever_the_epipole_a_sentence_says_where_it_is(yours, words):
 
 def test_the_spots_of_the_lamp_are_on_its_line_at_their_depths():
     ax = draw.candidates().axes[1]
-    (spots,) = (line for line in lines(ax, "object") if len(line) == 5)
+    (spots,) = (line for line in lines(ax, "object") if len(line) == 4)
     at, _ = pairs.lamp(pairs.TOWARDS, street.WIDTH)
     assert epi.line_distance(spots, epi.epipolar_lines(at, F)).max() < 1e-6
     one, other = pairs.cameras(pairs.TOWARDS, street.WIDTH)

@@ -73,7 +73,7 @@ def epipolar_plane() -> Figure:
         _spot(ax, view, x, "image", f"$x_{n}$", (-15 if n == 1 else 16, -14))
         _spot(ax, view, e, "second", f"$e_{n}$", (0, 22))
         name = f"camera {n}, centre $C_{n}$"
-        _spot(ax, view, camera.centre, "camera", name, (0, 26))
+        _spot(ax, view, camera.centre, "camera", name, (-34 if n == 1 else 20, 26))
     _spot(ax, view, POINT, "object", "$X$", (0, -18))
     part = view.project(0.71 * one.centre + 0.29 * other.centre)
     write(ax, part + np.array([0, 20]), "baseline", "guide", fontsize=11, bbox=PAPER)

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 WIDTH = 480
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.85}
-DEPTHS = (9.0, 12.0, 16.0, 22.0, 35.0)
+DEPTHS = (9.0, 12.0, 16.0, 28.0)
 COLOURS = ("camera", "ray", "image", "object", "second")
 #: Five of the pairs that both cameras see, spread over the picture.
 CHOSEN = 5
@@ -60,8 +60,8 @@ def _both(which: str) -> tuple[Figure, NDArray[np.object_]]:
 
 
 @figure(
-    "Two pictures of a street. In the left one a ring marks a lamp; in the right one five spots "
-    "show where it would be if it were 9 to 35 m away. They lie on a line."
+    "Two pictures of a street. In the left one a ring marks a lamp; in the right one four spots "
+    "show where it would be if it were 9 to 28 m away. They lie on a line."
 )
 def candidates() -> Figure:
     """Show a lamp in the left picture, and where the right one may show it.
