@@ -5,7 +5,7 @@ import pytest
 from lesson_text import lesson_text
 
 from course_lib import triangulation as tri
-from course_lib.drawing.explorers import bench
+from course_lib.drawing.explorers import bench, disparity
 from course_lib.drawing.explorers.disparity import disparity_frame
 from course_lib.drawing.triangulation import dense, methods, pair, plane, uncertainty
 from course_lib.exercises import all_exercises
@@ -198,6 +198,8 @@ def test_the_uncertainty_of_depth():
     assert sigma == about(11.7, 1)
     assert true_points()[0, 2] - Z == about(5.2, 1)
     says("$\\sigma_d = 0.354$ px", "= 11.7$ mm. (It was off by 5.2 mm.)")
+    assert disparity.SIGMA == 0.35  # measured by a test of the explorer
+    says("with $\\sigma_d = 0.35$ px: so far off are good matches in this pair")
     curve = tri.depth_uncertainty([2000, 4000], 1000, 200, 0.1 * np.sqrt(2))
     assert curve.tolist() == [about(2.8, 1), about(11.3, 1)]
     says("2.8 mm, then 11.3 mm", "2.8 mm at 2 m, 11.3 mm at 4 m")

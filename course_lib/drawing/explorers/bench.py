@@ -72,7 +72,7 @@ def bench_frame(b: float, Z: float, X: float, turn_deg: float, sigma: float, thi
 
 def _spread(C: Floats) -> tuple[Readout, ...]:
     """Return the standard deviations sideways, in depth and in height, from a covariance in mm²."""
-    names = (("Sideways", "σ_X"), ("In depth", "σ_Z"), ("Height", "σ_Y"))
+    names = (("Sideways", "σ of X"), ("In depth", "σ of Z"), ("Height", "σ of Y"))
     sigmas = np.sqrt(np.diag(C)).tolist()
     return tuple(
         Readout(label, symbol, f"{sigma:.2f}", "mm")
