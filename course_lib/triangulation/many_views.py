@@ -81,6 +81,11 @@ def triangulate_linear(pixels: ArrayLike, cameras: ArrayLike) -> Array:
 def refine_point(points: ArrayLike, pixels: ArrayLike, cameras: ArrayLike) -> Array:
     """Return the points whose images are nearest to the measured pixels, near first guesses.
 
+    Gauss–Newton steps, damped where they would miss, until nothing moves: with the residuals r
+    (projected minus measured) and their derivatives J each step δ solves ``J δ = -r`` by least
+    squares. With ``(a, b, c) = P (X, 1)`` the rows of J are ``(m1 - u m3)/c`` and
+    ``(m2 - v m3)/c``; m1, m2, m3 are the rows of P without their last number.
+
     Parameters
     ----------
     points : array_like, shape (N, 3) or (3,)
@@ -107,6 +112,13 @@ def refine_point(points: ArrayLike, pixels: ArrayLike, cameras: ArrayLike) -> Ar
     ----------
     R. Hartley & P. Sturm, "Triangulation", CVIU 68 (1997); Hartley & Zisserman, Multiple View
     Geometry, 2nd ed., section 12.3.
+
+    Examples
+    --------
+    >>> P1 = np.array([[100, 0, 0, 0], [0, 100, 0, 0], [0, 0, 1, 0]])
+    >>> P2 = P1 - [[0, 0, 0, 100], [0, 0, 0, 0], [0, 0, 0, 0]]
+    >>> refine_point([1, 0, 5], [[25, 0], [0, 0]], [P1, P2]).round(9) + 0.0
+    array([1., 0., 4.])
     """
     seen, P, single = check_views(pixels, cameras)
     X = check_guesses(points, seen, P)
@@ -245,7 +257,7 @@ def _normals(X: Array, seen: Array, P: Array) -> tuple[Array, Array, Array]:
     image, depth = _projected(X, P)
     hidden = np.isnan(seen)
     residuals = np.where(hidden, 0, image - seen)
-    # u = (m1 X + p) / Z has the derivative (m1 - u m3) / Z.
+    # u = a / c has the derivative (m1 - u m3) / c.
     J = (P[:, None, :2, :3] - image[..., None] * P[:, None, 2:, :3]) / depth[..., None]
     J = np.where(hidden[..., None], 0, J).transpose(1, 0, 2, 3).reshape(len(X), -1, 3)
     r = residuals.transpose(1, 0, 2).reshape(len(X), -1)

@@ -145,9 +145,19 @@ def test_depth_from_disparity():
     left, right = views(PAIR, points)
     depths = depth_from_disparity(left[:, 0] - right[:, 0], 800, 1)
     np.testing.assert_allclose(depths, points[:, 2], rtol=1e-9)
-    # Middlebury's Motorcycle: f = 994.978 px, b = 193.001 mm, offset 31.086 px.
-    motorcycle = depth_from_disparity([[50.0]], 994.978, 193.001, 31.086)
-    np.testing.assert_allclose(motorcycle, [[193.001 * 994.978 / 81.086]], rtol=1e-12)
+
+
+def test_depth_of_the_published_pair():
+    """Middlebury's Motorcycle: its right camera has its principal point 31.086 px farther right."""
+    f, baseline, offset = 994.978, 193.001, 31.086
+    left = np.array([[f, 0, 311.193, 0], [0, f, 254.877, 0], [0, 0, 1, 0]])
+    right = left.copy()
+    right[0, 2:] += offset, -f * baseline
+    points = np.random.default_rng(6).uniform((-900, -500, 1800), (900, 500, 5000), (50, 3))
+    (u_left, _), (u_right, _) = (image.T for image in views([left, right], points))
+    depths = depth_from_disparity(u_left - u_right, f, baseline, offset)
+    np.testing.assert_allclose(depths, points[:, 2], rtol=1e-9)
+    assert depth_from_disparity(50.0, f, baseline, offset) == pytest.approx(2368.2, abs=0.05)
 
 
 def test_closest_points():
