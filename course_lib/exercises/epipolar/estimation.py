@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from course_lib.exercises.epipolar import error_misconceptions as slips
 from course_lib.exercises.epipolar import estimation_misconceptions as wrong
 from course_lib.exercises.epipolar import inputs, pair_inputs
 from course_lib.exercises.epipolar import plain_estimation as plain
@@ -119,69 +120,69 @@ SAMPSON_ERROR = Exercise(
     forbidden=("course_lib.epipolar.lines.sampson_error", "cv2.sampsonDistance"),
     misconceptions=[
         Misconception(
-            wrong.squared,
+            slips.squared,
             "In which unit is your answer: px, or px squared?",
         ),
         Misconception(
-            wrong.not_divided,
+            slips.not_divided,
             "Multiply F by ten: it is as good as before. Does your error stay the same?",
-            also=[wrong.not_divided_with_sign],
+            also=[slips.not_divided_with_sign],
         ),
         Misconception(
-            wrong.sign_kept,
+            slips.sign_kept,
             "A pair can miss on either side. Can an error be negative?",
         ),
         Misconception(
-            wrong.picture_2_only,
+            slips.picture_2_only,
             "You measure in one picture only. Which line is there in the other one?",
-            also=[wrong.picture_1_only],
+            also=[slips.picture_1_only],
         ),
         Misconception(
-            wrong.both_distances_together,
+            slips.both_distances_together,
             "You measure each distance as if the other point stayed. Can both share the way?",
-            also=[wrong.both_distances_added, wrong.both_distances_averaged],
+            also=[slips.both_distances_added, slips.both_distances_averaged],
         ),
         Misconception(
-            wrong.lengths_added,
+            slips.lengths_added,
             "You add two lengths. How do the sides of a right triangle add up?",
         ),
         Misconception(
-            wrong.F_transposed,
+            slips.F_transposed,
             "Points are rows here. Which of the two products makes F of x1, and which its "
             "transpose of x2?",
         ),
         Misconception(
-            wrong.second_line_by_F_too,
+            slips.second_line_by_F_too,
             "Each picture has its line. Does F, untransposed, lead to both pictures?",
         ),
         Misconception(
-            wrong.first_line_by_the_transpose_too,
+            slips.first_line_by_the_transpose_too,
             "Each picture has its line. Does the transpose of F lead to both pictures?",
         ),
         Misconception(
-            wrong.all_three_numbers,
+            slips.all_three_numbers,
             "Six squares stand below your bar. Which numbers of a line are its normal?",
         ),
         Misconception(
-            wrong.root_left_out,
+            slips.root_left_out,
             "Make F ten times larger: does your error stay the same? What is done to the sum?",
         ),
         Misconception(
-            wrong.numbers_not_squared,
+            slips.numbers_not_squared,
             "Below the bar, two numbers of opposite sign cancel out in yours. Should they?",
         ),
         Misconception(
-            wrong.every_point_with_every_other,
+            slips.every_point_with_every_other,
             "You have each point with each line. Which of these belong together?",
         ),
         Misconception(
-            wrong.in_a_column,
+            slips.in_a_column,
             "Your errors stand below each other in a table. How many axes has a list?",
         ),
         Misconception(
-            wrong.added_up,
+            slips.added_up,
             "One number comes out. How many pairs are there, and how many errors?",
-            also=[wrong.averaged],
+            also=[slips.averaged],
         ),
     ],
 )
@@ -197,43 +198,43 @@ RANSAC_ITERATIONS = Exercise(
     forbidden=("course_lib.epipolar.search.ransac_iterations",),
     misconceptions=[
         Misconception(
-            wrong.not_rounded,
+            slips.not_rounded,
             "How many samples can you draw: is a part of one any use?",
         ),
         Misconception(
-            wrong.rounded_down,
+            slips.rounded_down,
             "Is one sample fewer enough for the confidence that is asked for?",
-            also=[wrong.rounded_to_the_nearest],
+            also=[slips.rounded_to_the_nearest],
         ),
         Misconception(
-            wrong.all_wrong_for_all_right,
-            "You take the chance that all pairs of a sample are wrong. Which samples are good?",
+            slips.all_wrong_for_all_right,
+            "You take the chance that all pairs of a sample are slips. Which samples are good?",
         ),
         Misconception(
-            wrong.one_pair_for_a_sample,
+            slips.one_pair_for_a_sample,
             "How likely is it that all pairs of a sample are right, and not only the first?",
-            also=[wrong.divided_by_the_size, wrong.times_the_size],
+            also=[slips.divided_by_the_size, slips.times_the_size],
         ),
         Misconception(
-            wrong.confidence_for_its_rest,
+            slips.confidence_for_its_rest,
             "Which chance shall all bad samples together have: the confidence, or what is left?",
         ),
         Misconception(
-            wrong.good_for_bad_samples,
+            slips.good_for_bad_samples,
             "Samples go on as long as they are bad. How likely is a bad one?",
         ),
         Misconception(
-            wrong.upside_down,
+            slips.upside_down,
             "So few? Which logarithm is below the bar, are there two, and is a sample good as soon "
             "as one pair of it is right?",
-            also=[wrong.logarithms_left_out, wrong.not_all_wrong],
+            also=[slips.logarithms_left_out, slips.not_all_wrong],
         ),
         Misconception(
-            wrong.one_on_average,
+            slips.one_on_average,
             "So many bring one good sample on average. Where does the confidence come in?",
         ),
         Misconception(
-            wrong.one_more,
+            slips.one_more,
             "Is the number before your last step not enough yet?",
         ),
     ],
