@@ -15,7 +15,11 @@ from course_lib.judging import Exercise
 mpl.use("Agg")  # as a test has no screen
 
 #: Chapters whose cells are tried, and their lessons.
-LESSONS = {"homogeneous": "02_homogeneous", "triangulation": "09_triangulation"}
+LESSONS = {
+    "homogeneous": "02_homogeneous",
+    "triangulation": "09_triangulation",
+    "bundle": "10_bundle",
+}
 FUNCTIONS = [e for name in LESSONS for e in all_exercises(name) if isinstance(e, Exercise)]
 
 

@@ -1,0 +1,322 @@
+"""The numbers that the text of chapter 10 states are those that the library computes."""
+
+import sys
+
+import numpy as np
+import pytest
+from lesson_text import lesson_text
+from real_data import fetched
+
+from course_lib import bundle, orientation, tie_points, transforms
+from course_lib.bundle import Control, bundle_adjust
+from course_lib.drawing import bundle as draw
+from course_lib.drawing.bundle import flights, growing, placement, space
+from course_lib.drawing.explorers import control_points as game
+from course_lib.drawing.explorers.control_points import control_frame
+from course_lib.exercises import all_exercises
+from course_lib.exercises.bundle import plain, similarity_plain
+from course_lib.reconstruction import reconstruct
+
+TEXT = lesson_text("10_bundle")
+says = TEXT.says
+CHAINED, ADJUSTED = growing.WAYS
+# A figure of the package has the same name.
+acquisition = sys.modules["course_lib.drawing.bundle.acquisition"]
+
+
+def about(value, digits):
+    """Return what agrees with a printed number of so many decimals."""
+    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
+
+
+def test_points_of_all_exercises_and_their_order():
+    exercises = all_exercises("bundle")
+    says(f"**Points:** {sum(exercise.points for exercise in exercises)}.")
+    graded = [f"\n{e.name}\n" for e in exercises[:-1]]
+    assert sorted(graded, key=TEXT.index) == graded
+    says(f"({exercises[-1].points} points, read by a person)", f'"{exercises[-1].name}"')
+
+
+# First sitting
+
+
+def test_the_block_of_the_vase():
+    known = growing.vase()
+    assert (len(known.truth.R), len(known.truth.points)) == (24, 200)
+    assert np.bincount(known.observations.points).max() == 9
+    base = np.linalg.norm(known.truth.centres[1] - known.truth.centres[0])
+    assert base == about(0.26, 2)
+    says("seen by 9 of 24 cameras", "(26 cm)", "turned by 15°", "$24\\cdot 6 + 200\\cdot 3 = 744$")
+    assert 24 * 6 == 144
+    says("one system of 144 instead of 744", "6000 instead of three million")
+
+
+def test_the_third_picture():
+    points, pixels, K = draw.third_picture()
+    stages = growing.grown(CHAINED)
+    assert (stages[0].added, stages[1].seen, len(points)) == (45, 40, 40)
+    says("45 points are triangulated", "It shows 40 of these points")
+    np.testing.assert_allclose(growing.true_centres(3)[2], [0.866, 0.5, 0.35], atol=5e-4)
+    says("$(0.866, 0.500, 0.350)$")
+    R, t = plain.resect_camera(points, pixels, K)
+    assert draw.pose_rms(points, pixels, K, R, t) == about(5.1, 1)
+    best = orientation.resect_camera(points, pixels, K)
+    assert draw.pose_rms(points, pixels, K, best.R, best.t) == about(1.6, 1)
+    says("The DLT leaves 5.1 px", "refines: 1.6 px")
+
+
+def test_the_worked_resection():
+    M = np.array([[0.0, -2, 0, 4], [2, 0, 0, 0], [0, 0, 2, 10]])
+    X = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1.0)])
+    q = X @ M[:, :3].T + M[:, 3]
+    R, t = plain.resect_camera(X, q[:, :2] / q[:, 2:], np.eye(3))
+    np.testing.assert_allclose(R, [[0, -1, 0], [1, 0, 0], [0, 0, 1]], atol=1e-9)
+    np.testing.assert_allclose(t, [2, 0, 5], atol=1e-9)
+    says("0 & -2 & 0 & 4\\\\ 2 & 0 & 0 & 0\\\\ 0 & 0 & 2 & 10", "$\\mathbf t = (2, 0, 5)$")
+
+
+def test_the_chains():
+    gaps, last = [], []
+    for way in growing.WAYS:
+        stage = growing.grown(way)[-1]
+        gaps.append(1000 * np.linalg.norm(stage.block.centres[-1] - stage.block.centres[0]))
+        last.append(stage.after)
+    assert gaps == [about(18.5, 1), about(2.1, 1)]
+    assert last == [about(3.2, 1), about(0.61, 2)]
+    assert np.sqrt(0.5**2 + 0.5**2) == about(0.71, 2)
+    says(
+        "it is 18.5 mm off", "is 3.2 px, although", "0.61 px, and the gap is 2.1 mm", "make 0.71 px"
+    )
+    off = 1000 * growing.drift(growing.grown(CHAINED)[-1])
+    assert off.max() > 3 * off[-1]  # on the other side it is worse
+    assert (int(np.argmax(off)), off.max()) == (13, about(64.5, 1))
+    says("picture 13, by 64.5 mm")
+
+
+def test_what_the_stepper_shows():
+    chained, adjusted = growing.grown(CHAINED), growing.grown(ADJUSTED)
+    assert [s.before for s in chained[1:3]] == [about(0.88, 2), about(1.18, 2)]
+    says("Picture 2 brings it to 0.88 px and picture 3 to 1.18 px")
+    assert (adjusted[1].before, adjusted[1].after) == (about(0.88, 2), about(0.49, 2))
+    assert all(s.before - s.after < 0.03 for s in adjusted[-8:])
+    says("Picture 2 from 0.88 to 0.49 px", "to 0.61 px")
+    seen, added = ([getattr(s, what) for s in chained[1:]] for what in ("seen", "added"))
+    assert (min(seen), max(seen), min(added), max(added)) == (40, 60, 4, 15)
+    assert np.mean(added) == about(8, 0)
+    says("sees 40 to 60 known points and adds 4 to 15, eight on the average")
+
+
+def test_the_worked_derivatives():
+    by_pose, by_point = plain.reprojection_jacobian(
+        np.array([1.0, 0, 2]), np.diag([100.0, 100, 1]), np.eye(3), np.zeros(3)
+    )
+    assert by_point.tolist() == [[50, 0, -25], [0, 50, 0]]
+    assert (by_pose[:, :3] + 0.0).tolist() == [[0, 125, 0], [-100, 0, 50]]
+    assert transforms.skew([1, 0, 2]).tolist() == [[0, -2, 0], [2, 0, -1], [0, 1, 0]]
+    says("50 & 0 & -25\\\\ 0 & 50 & 0", "0 & 125 & 0\\\\ -100 & 0 & 50", "moves 25 px towards")
+    true = growing.vase().truth
+    X, K, R, t = true.points[7], true.K[0], true.R[0], true.t[0]
+    up = np.array([0, 0, 0.001])
+    slopes = bundle.reprojection_jacobian(X, K, R, t)[0][:, 3:] @ up
+    moved = draw.pixel(X, K, R, t - R @ up) - draw.pixel(X, K, R, t)
+    np.testing.assert_allclose(slopes, moved, atol=0.001)
+    assert slopes[1] > 3  # v grows downwards
+
+
+def test_the_small_block_and_its_arrow():
+    block, seen = draw.small_block()
+    assert (len(block.R), len(block.points), len(seen)) == (6, 29, 66)
+    says("6 cameras (blue), 29 points (red), 66 observations")
+    J = draw.whole_jacobian(block, seen)
+    sizes = np.linalg.svd(J / np.linalg.norm(J, axis=0), compute_uv=False)
+    assert (sizes[-7:] < 1e-8).all()
+    assert sizes[-8] > 5e-4
+    says("Seven are zero")
+    U, W, V = np.array([[4.0]]), np.array([[[1.0, 0, 0]]]), 0.5 * np.eye(3)[None]
+    a, b = plain.solve_normal_block(U, W, V, np.array([2.0]), np.zeros((1, 3)))
+    assert (a.tolist(), b[0, 0]) == ([-1], 2)
+    says("$4a + b = -2$ and $a + 0.5\\,b = 0$", "so $a = -1$", "$b = 2\\cdot(0 + 1) = 2$")
+
+
+def test_the_steps_of_half_a_chain():
+    K, R, t, points, pixels = draw.half_chain()
+    damping, history = 0.001, []
+    for _ in range(7):
+        history.append(draw.block_rms(K, R, t, points, pixels))
+        R, t, points, damping = plain.bundle_adjust(K, R, t, points, pixels, damping)
+    assert (history[0], history[3]) == (about(2.25, 2), about(0.59, 2))
+    assert history[3] - history[6] < 0.001 < history[2] - history[3]
+    says("leave 2.25 px", "After three, nothing changes any more: 0.59 px")
+
+
+def test_the_gauges():
+    sigma = 1000 * space.centre_sigma("inner")
+    assert sigma.mean() == about(1.2, 1)
+    assert np.ptp(sigma) < 0.25
+    says("The uncertainty is shared evenly, ± 1.2 mm")
+
+
+# Second sitting
+
+
+def test_the_timeline_is_in_order():
+    years = [year for year, *_ in acquisition.HISTORY]
+    assert years == sorted(years)
+    assert {1816, 1867, 1903, 1921, 2004, 2006, 2010} <= set(years)
+
+
+def test_pictures_for_a_circle():
+    circle = similarity_plain.pictures_for_circle
+    assert (circle(np.radians(10)), circle(np.radians(7))) == (36, 52)
+    assert about(51.4, 1) == 360 / 7
+    says("$360/10 = 36$", "$360/7 = 51.4$, so 52")
+
+
+@pytest.fixture(scope="module")
+def known():
+    return draw.photographs()
+
+
+@pytest.fixture(scope="module")
+def model(known):
+    rng = np.random.default_rng(2)
+    seen = tie_points.tracks(known.pictures, known.K, rng, pairs=draw.neighbours())
+    return reconstruct(seen, known.K, np.random.default_rng(0))
+
+
+def test_the_reconstruction(known, model):
+    assert len(model.cameras) == 24
+    assert not model.left_out
+    numbers, X = model.triangulated(known.observed_marks(np.random.default_rng(3)))
+    assert len(numbers) == len(known.marks) == 12
+    assert len(known.control) == 6
+    control = np.isin(numbers, known.control)
+    lay = orientation.similarity_transform(X[control], known.marks[numbers[control]])
+    totals = [
+        1000 * orientation.check_point_rmse(lay.apply(X[some]), known.marks[numbers[some]]).total
+        for some in (control, ~control)
+    ]
+    # Other versions of OpenCV may find slightly other details.
+    assert totals == [pytest.approx(0.14, abs=0.02), pytest.approx(0.20, abs=0.03)]
+    says("Twelve marks", "Six of them are control", "to 0.3 px", "0.14 mm! Is the model")
+    says("0.14 mm at the control points, 0.20 mm at the check points", "| 0.20 mm |")
+
+
+def test_the_worked_similarity():
+    x = np.array([[-1.0, 0, 0], [1, 0, 0], [0, -2, 0], [0, 2, 0]])
+    y = np.array([[10.0, 17, 5], [10, 23, 5], [16, 20, 5], [4, 20, 5]])
+    M = (y - y.mean(axis=0)).T @ x
+    assert M.tolist() == [[0, -24, 0], [6, 0, 0], [0, 0, 0]]
+    np.testing.assert_allclose(np.linalg.svd(M)[1], [24, 6, 0], atol=1e-9)
+    scale, R, t = similarity_plain.similarity_transform(x, y)
+    assert scale == pytest.approx(3)
+    np.testing.assert_allclose(R, [[0, -1, 0], [1, 0, 0], [0, 0, 1]], atol=1e-9)
+    np.testing.assert_allclose(t, [10, 20, 5])
+    says(
+        "0 & -24 & 0\\\\ 6 & 0 & 0", "(24 + 6 + 0)/(1 + 1 + 4 + 4) = 3", "\\mathbf t = (10, 20, 5)"
+    )
+    says("(10, 17, 5), (10, 23, 5), (16, 20, 5), (4, 20, 5)")
+
+
+def test_the_worked_rmse():
+    off = similarity_plain.check_point_rmse(np.array([[3.0, 4, 0], [0, 0, 0]]), np.zeros((2, 3)))
+    assert off.tolist() == [about(2.12, 2), about(2.83, 2), 0, about(3.54, 2)]
+    says("= 2.12$", "= 2.83$", "= 3.54$ mm")
+
+
+def test_residuals_flatter():
+    (count, control, check), *_ = flights.flattering()
+    assert (count, 1000 * control, 1000 * check) == (3, about(18, 0), about(125, 0))
+    assert 20 * np.sqrt(3) == about(35, 0)
+    says("their residuals are 18 mm, and the other points are off by 125 mm", "so 35 mm in space")
+
+
+def error(places, dome):
+    """Return the height error of a choice of control points, mm."""
+    numbers = tuple(game.numbered(*place) for place in places)
+    return 1000 * placement.check_error(numbers, dome)
+
+
+def test_the_game():
+    outer = [(0, 0), (168, 0), (168, 120), (0, 120)]
+    inner = [(24, 24), (144, 24), (144, 96), (24, 96)]
+    four = game.START[:4]
+    assert [error(c, False) for c in (four, outer, inner)] == [about(n, 0) for n in (63, 61, 42)]
+    says("it falls from 63 to 61 mm only; 24 m further in to 42 mm", "only two pictures see them")
+    best = [
+        1000 * placement.check_error(placement.best_control(n, False), False) for n in (3, 4, 5)
+    ]
+    assert best == [about(44, 0), about(41, 0), about(41, 0)]
+    says("44 mm with three, 41 mm with four and with five")
+    middle = [*outer, (84, 60)]
+    assert [error(c, True) for c in (outer, four, middle)] == [about(n, 0) for n in (159, 147, 79)]
+    five = placement.best_control(5, True)
+    assert 1000 * placement.check_error(five, True) == about(59, 0)
+    says("159 mm, worse than at the start (147 mm)", "it is 79 mm; the best five reach 59 mm")
+    seen = placement._all_seen(placement.free_block().block)
+    assert np.bincount(seen.points)[game.numbered(0, 0)] == 2
+    assert len(placement.free_block().block.R) == 18
+    names = {
+        f"{c}{i}": v for i, p in enumerate(game.START, 1) for c, v in zip("xy", p, strict=True)
+    }
+    far = control_frame(4, False, **names).pictures[0].alt
+    assert "is at (168, 0) m" in far  # at the side away from the points
+
+
+def test_domes():
+    right = flights.flown(0, False, False, 0.0)
+    bent, held, oblique = (flights.flown(*kind) for kind in flights.FLIGHTS.values())
+    heights = [1000 * found.check_rms for found in (right, bent, held, oblique)]
+    assert heights == [about(29, 0), about(116, 0), about(89, 0), about(21, 0)]
+    assert (right.rms, bent.rms) == (about(0.620, 3), about(0.620, 3))
+    assert 1000 * held.control_rms == about(21, 0)
+    corner = 3600 * 0.002 * np.hypot(2000 / 3600, 1500 / 3600) ** 3
+    assert corner == about(2.4, 1)
+    says("**dome**, ± 116 mm instead of ± 29 mm", "0.620 px, with either", "which is 2.4 px in the")
+    says("bring it to ± 89 mm only", "The residuals at the eight: 21 mm", "Result: ± 21 mm")
+    assert len(bent.known.truth.R) == 40
+    sigmas = []
+    for count in (0, 8):
+        block = flights.flown(count, False, False).known
+        seen = flights.bent_by(block.observations, block.truth.K[0], flights.WRONG_K1)
+        k1, sigma = flights.best_k1(block, seen)
+        sigmas.append(sigma)
+    assert (-k1, sigmas) == (about(-0.00196, 5), [about(0.00076, 5), about(0.00008, 5)])
+    assert sigmas[0] / sigmas[1] == about(9, 0)
+    says("$-0.00196 \\pm 0.00008$", "\\pm\\,0.00076$, nine times as uncertain")
+
+
+def test_more_control_against_a_dome():
+    known = flights.flown(0, False, False).known
+    X = known.truth.points
+    ends = X.min(axis=0)[:2] + 15, X.max(axis=0)[:2] - 15
+    grid = np.stack(np.meshgrid(*np.linspace(*ends, 5).T), axis=-1).reshape(-1, 2)
+    apart = ((X[:, None, :2] - grid) ** 2).sum(axis=2)
+    control = np.unique(apart.argmin(axis=0))
+    assert len(control) == 25
+    seen = flights.bent_by(known.observations, known.truth.K[0], flights.WRONG_K1)
+    fit = bundle_adjust(known.truth, seen, Control(control, X[control], flights.SURVEY))
+    check = np.setdiff1d(known.check, control)
+    off = 1000 * (fit.block.points - X)[check, 2]
+    assert np.sqrt((off**2).mean()) == about(67, 0)
+    says("25 to ± 67 mm")
+
+
+# Extra
+
+
+def test_strasbourg():
+    fetched("aerial_block/ref/ctrlpts-fixed.txt")
+    city = draw.strasbourg()
+    assert 2 * len(city.fit.residuals) == 94
+    assert city.fit.redundancy == 64
+    assert np.sqrt(city.fit.cost / 94) == about(0.8597, 4)
+    assert len(city.fit.block.R) == 5
+    says("94 measured numbers minus 30 unknowns", "0.8597", "Five pictures", "$f = 123.94$ mm")
+
+
+def test_the_textbook_resection():
+    fetched("resection_tables/wuhan_resection.txt")
+    centre = draw.textbook_resection().centre
+    np.testing.assert_allclose(centre, [39795.45, 27476.46, 7572.69], atol=0.006)
+    says("$(39\\,795.45,\\; 27\\,476.46,\\; 7572.69)$", "$f = 153.24$ mm", "four known points")
