@@ -177,7 +177,10 @@ def _left(u: int, v: int, h: int) -> Picture:
         f"pixel ({u}, {v}).",
         SHOWN_SIZE,
         _small()[0],
-        lines=(Line(_box(u, v, h), "object", 2.0, closed=True),),
+        lines=(
+            Line([_shown(0, v), _shown(SIZE[0] - 1, v)], "guide", 1.2, dashed=True),
+            Line(_box(u, v, h), "object", 2.0, closed=True),
+        ),
         handles=(Handle(_shown(u, v), moves),),
     )
 
