@@ -7,8 +7,10 @@ import pytest
 
 from course_lib.bundle import Block, Observations
 from course_lib.checks import DegenerateConfigurationError
-from course_lib.orientation import check_point_rmse, similarity_transform
+from course_lib.orientation import Similarity, check_point_rmse, similarity_transform
 from course_lib.reconstruction import reconstruct
+from course_lib.reconstruction.growth import Growth
+from course_lib.reconstruction.start import start_pairs
 from course_lib.tie_points import tracks
 from course_lib.transforms import rotation_from_vector
 from data_generators.block_pictures import flight_pictures, turntable_pictures
@@ -91,6 +93,14 @@ def test_the_result_is_a_minimum(strips):
     away = block.project(seen.cameras, seen.points) - seen.pixels
     np.testing.assert_allclose(away, found.adjustment.residuals, atol=1e-8)
     assert found.adjustment.converged
+    assert np.linalg.norm(away, axis=1).max() < 4.2
+    # Turned, moved and scaled, it sees the same.
+    turn = Similarity(3.0, rotation_from_vector([0.3, -0.2, 0.5]), np.array([1.0, -2, 5]))
+    moved = found.oriented(turn)
+    np.testing.assert_allclose(
+        moved.project(seen.cameras, seen.points) - seen.pixels, away, atol=1e-6
+    )
+    np.testing.assert_allclose(moved.centres, turn.apply(block.centres), atol=1e-8)
     assert found.rms == pytest.approx(np.sqrt((away**2).sum(axis=1).mean()))
 
 
@@ -192,6 +202,37 @@ def test_pictures_with_a_few_points_in_common_are_left_out(strips):
     )
     assert 3 in found.left_out
     assert "8 are needed" in found.left_out[3]
+
+
+def test_observations_that_are_a_little_off_are_thrown_out():
+    """Six pixels are too few to be seen at once; the adjustment finds them."""
+    known = flight(rng(7), 2, 4, 300, noise=0.3)
+    seen = known.observations
+    off = rng(8).random(len(seen)) < 0.05
+    pixels = seen.pixels + 6 * off[:, None] * np.array([0.8, -0.6])
+    moved = Observations(seen.cameras, seen.points, pixels)
+    found = reconstruct(moved, known.truth.K[0], rng())
+    rays = np.bincount(seen.points)[seen.points]
+    well = off & (rays > 4)
+    assert (found.fates[well] == "used").mean() < 0.1
+    assert (found.fates[~off] == "used").mean() > 0.9
+
+
+def test_a_step_that_fails_changes_nothing(strips, monkeypatch):
+    known, _ = strips
+    growth = Growth(known.observations, known.truth.K[0], rng(), 4.0)
+    growth.begin(next(start_pairs(growth.pixels, growth.K, rng(), 2.0)))
+    before = {name: np.array(getattr(growth, name)) for name in ("R", "X", "trusted", "placed")}
+    picture = next(k for k in range(10) if k not in growth.placed)
+
+    def fails(*_):
+        raise DegenerateConfigurationError("singular")
+
+    monkeypatch.setattr(growth, "_adjusted", fails)
+    with pytest.raises(DegenerateConfigurationError):
+        growth.place(picture)
+    for name, value in before.items():
+        np.testing.assert_array_equal(getattr(growth, name), value)
 
 
 def test_a_bad_start_is_not_the_end():
