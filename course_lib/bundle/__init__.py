@@ -12,6 +12,7 @@ from course_lib.bundle.control import Control
 from course_lib.bundle.covariance import Precision
 from course_lib.bundle.derivatives import reprojection_jacobian
 from course_lib.bundle.normals import solve_normal_block
+from course_lib.bundle.self_calibration import SelfCalibration, self_calibrate
 from course_lib.bundle.tables import NormalBlocks, move_block, normal_blocks, squared_error
 
 __all__ = [
@@ -21,12 +22,14 @@ __all__ = [
     "NormalBlocks",
     "Observations",
     "Precision",
+    "SelfCalibration",
     "bundle_adjust",
     "check_block",
     "connected_parts",
     "move_block",
     "normal_blocks",
     "reprojection_jacobian",
+    "self_calibrate",
     "solve_normal_block",
     "squared_error",
 ]
