@@ -93,7 +93,7 @@ POINT_COVARIANCE = Exercise(
         ),
         Misconception(
             wrong.depth_taken_for_constant,
-            "Both a and c change with X. What does the change of c do to u?",
+            "Both a and c change with the point. What does the change of c do to u?",
         ),
         Misconception(
             wrong.sign_in_the_derivative,
@@ -113,7 +113,7 @@ POINT_COVARIANCE = Exercise(
         ),
         Misconception(
             wrong.four_columns,
-            "How many columns has your J, and how many numbers of X can change?",
+            "How many columns has your J, and how many numbers of the point can change?",
         ),
     ],
 )

@@ -115,7 +115,7 @@ def guessed(rng: Generator, count: int, size: float) -> Inputs:
     """Draw views, and a guess a quarter of a metre from the point."""
     drawn = views(rng, count, size)
     aside = rng.uniform(0.12, 0.2, 3) * rng.choice([-1, 1], 3)
-    return {"X": drawn.truth + aside, **drawn.inputs}
+    return {"point": drawn.truth + aside, **drawn.inputs}
 
 
 def guess_from_two(rng: Generator) -> Inputs:
@@ -128,7 +128,7 @@ def guess_from_four(rng: Generator) -> Inputs:
 
 def uncertain(rng: Generator, count: int) -> Inputs:
     X, cameras = cameras_around(rng, count)
-    return {"X": X, "cameras": cameras, "sigma": round(rng.uniform(0.2, 0.6), 2)}
+    return {"point": X, "cameras": cameras, "sigma": round(rng.uniform(0.2, 0.6), 2)}
 
 
 def uncertain_from_two(rng: Generator) -> Inputs:

@@ -14,9 +14,9 @@ from course_lib import triangulation
 def closest_points_on_rays(origin1, direction1, origin2, direction2):
     """Return the points in which two rays come closest to each other.
 
-    The way from one point to the other is perpendicular to both rays:
-    ``o1 + λ1 d1 + μ n = o2 + λ2 d2`` with ``n = d1 × d2``. These are three equations for the three
-    unknowns λ1, λ2 and μ.
+    With origins o and directions d, the way from one point to the other is perpendicular to both
+    rays: ``o1 + λ1 d1 + μ n = o2 + λ2 d2`` with ``n = d1 × d2``. These are three equations for the
+    three unknowns λ1, λ2 and μ.
 
     Parameters
     ----------
@@ -80,8 +80,8 @@ def triangulate_midpoint(pixel1, pixel2, P1, P2):
 def triangulate_linear(pixels, cameras):
     """Return a point from two or more pictures of it, by the linear method (DLT).
 
-    A camera matrix with the rows p1, p2, p3 gives two equations for ``X = (X, Y, Z, 1)``:
-    ``(u p3 - p1) X = 0`` and ``(v p3 - p2) X = 0``.
+    A camera matrix with the rows p1, p2, p3 gives two equations for ``h = (X, Y, Z, 1)``:
+    ``(u p3 - p1) h = 0`` and ``(v p3 - p2) h = 0``.
 
     Parameters
     ----------
@@ -93,8 +93,8 @@ def triangulate_linear(pixels, cameras):
     Returns
     -------
     ndarray, shape (3,)
-        The point that fulfils all 2 V equations best: of all X with four numbers and length 1 the
-        one with the smallest errors, divided by its last number.
+        The point ``(X, Y, Z)`` that fulfils all 2 V equations best: of all h of length 1 the one
+        with the smallest errors, divided by its last number.
 
     Examples
     --------
@@ -107,11 +107,11 @@ def triangulate_linear(pixels, cameras):
     for (u, v), (p1, p2, p3) in zip(pixels, cameras, strict=True):
         rows.append(u * p3 - p1)
         rows.append(v * p3 - p2)
-    X = np.linalg.svd(np.array(rows))[2][-1]
-    return X[:3] / X[3]
+    h = np.linalg.svd(np.array(rows))[2][-1]
+    return h[:3] / h[3]
 
 
-def refine_point(X, pixels, cameras):
+def refine_point(point, pixels, cameras):
     """Return a point after one Gauss–Newton step towards the smallest reprojection error.
 
     With ``(a, b, c) = P (X, Y, Z, 1)`` the camera's pixel is ``u = a/c``, ``v = b/c``. Its
@@ -120,8 +120,8 @@ def refine_point(X, pixels, cameras):
 
     Parameters
     ----------
-    X : ndarray, shape (3,)
-        A guess, in front of all cameras.
+    point : ndarray, shape (3,)
+        A guess ``(X, Y, Z)``, in front of all cameras.
     pixels : ndarray, shape (V, 2)
         Where V ≥ 2 pictures show the point, with some noise.
     cameras : ndarray, shape (V, 3, 4)
@@ -130,8 +130,9 @@ def refine_point(X, pixels, cameras):
     Returns
     -------
     ndarray, shape (3,)
-        X plus the step δ that solves ``J δ = -r`` by least squares. J has the two rows of each
-        camera, taken at X; r are the residuals, projected minus measured pixel, in the same order.
+        The point plus the step δ that solves ``J δ = -r`` by least squares. J has the two rows of
+        each camera, taken at the guess; r are the residuals, projected minus measured pixel, in
+        the same order.
 
     Examples
     --------
@@ -143,14 +144,14 @@ def refine_point(X, pixels, cameras):
     """
     J, r = [], []
     for pixel, P in zip(pixels, cameras, strict=True):
-        a, b, c = P @ np.append(X, 1)
+        a, b, c = P @ np.append(point, 1)
         u, v = a / c, b / c
         J.append((P[0, :3] - u * P[2, :3]) / c)
         J.append((P[1, :3] - v * P[2, :3]) / c)
         r.append(u - pixel[0])
         r.append(v - pixel[1])
     step = np.linalg.lstsq(np.array(J), -np.array(r), rcond=None)[0]
-    return X + step
+    return point + step
 
 
 def depth_from_disparity(disparity, f, baseline, offset):
@@ -248,13 +249,13 @@ def intersect_ray_plane(origin, directions, plane):
     return points
 
 
-def point_covariance(X, cameras, sigma):
+def point_covariance(point, cameras, sigma):
     """Return how uncertain a triangulated point is: ``σ² (JᵀJ)⁻¹``.
 
     Parameters
     ----------
-    X : ndarray, shape (3,)
-        The point, in front of all cameras.
+    point : ndarray, shape (3,)
+        The point ``(X, Y, Z)``, in front of all cameras.
     cameras : ndarray, shape (V, 3, 4)
         Matrices of V ≥ 2 cameras.
     sigma : float
@@ -264,7 +265,7 @@ def point_covariance(X, cameras, sigma):
     -------
     ndarray, shape (3, 3)
         Covariance of X, Y and Z. J has two rows for each camera, as in `refine_point`: the
-        derivatives of its pixel, ``(m1 - u m3)/c`` and ``(m2 - v m3)/c``.
+        derivatives ``(m1 - u m3)/c`` and ``(m2 - v m3)/c`` of the pixel that shows the point.
 
     Examples
     --------
@@ -276,7 +277,7 @@ def point_covariance(X, cameras, sigma):
     """
     rows = []
     for P in cameras:
-        a, b, c = P @ np.append(X, 1)
+        a, b, c = P @ np.append(point, 1)
         rows.append((P[0, :3] - a / c * P[2, :3]) / c)
         rows.append((P[1, :3] - b / c * P[2, :3]) / c)
     J = np.array(rows)

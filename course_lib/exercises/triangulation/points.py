@@ -31,7 +31,7 @@ TRIANGULATE_LINEAR = Exercise(
         ),
         Misconception(
             wrong.rows_added,
-            "u is p1 X over p3 X. Multiplied out and brought to one side: which sign is there?",
+            "u is p1 h over p3 h. Multiplied out and brought to one side: which sign is there?",
         ),
         Misconception(
             wrong.third_row_forgotten,
@@ -134,7 +134,7 @@ REFINE_POINT = Exercise(
         ),
         Misconception(
             step.measured_pixel_in_J,
-            "J describes the camera at X. Are the u and v in it projected, or measured?",
+            "J describes the camera at the guess. Are the u and v in it projected, or measured?",
         ),
         Misconception(
             step.depth_left_out_of_J,
@@ -142,7 +142,7 @@ REFINE_POINT = Exercise(
         ),
         Misconception(
             step.depth_taken_for_constant,
-            "Both a and c change with X. What does the change of c do to u?",
+            "Both a and c change with the point. What does the change of c do to u?",
         ),
         Misconception(
             step.sign_in_the_derivative,
@@ -187,7 +187,7 @@ REFINE_POINT = Exercise(
         ),
         Misconception(
             step.four_columns,
-            "How many columns has your J, and how many numbers of X can change?",
+            "How many columns has your J, and how many numbers of the point can change?",
         ),
         Misconception(
             step.until_nothing_moves,

@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 
 
-def linearised(X: Any, pixels: Any, cameras: Any) -> Any:
+def linearised(point: Any, pixels: Any, cameras: Any) -> Any:
     """Return the right J and residuals."""
     J, r = [], []
     for pixel, P in zip(pixels, cameras, strict=True):
-        a = P @ np.append(X, 1)
+        a = P @ np.append(point, 1)
         seen = a[:2] / a[2]
         J.extend((P[:2, :3] - seen[:, None] * P[2, :3]) / a[2])
         r.extend(seen - pixel)
@@ -22,153 +22,153 @@ def step(J: Any, r: Any) -> Any:
     return np.linalg.lstsq(J, -r, rcond=None)[0]
 
 
-def with_derivatives(X: Any, pixels: Any, cameras: Any, derive: Any) -> Any:
+def with_derivatives(point: Any, pixels: Any, cameras: Any, derive: Any) -> Any:
     """Step with other derivatives: `derive` takes P, the projected and the measured pixel, c."""
     J, r = [], []
     for pixel, P in zip(pixels, cameras, strict=True):
-        a = P @ np.append(X, 1)
+        a = P @ np.append(point, 1)
         seen = a[:2] / a[2]
         J.extend(derive(P, seen, pixel, a[2]))
         r.extend(seen - pixel)
-    return X + step(np.array(J), np.array(r))
+    return point + step(np.array(J), np.array(r))
 
 
-def uphill(X, pixels, cameras):
-    return X - step(*linearised(X, pixels, cameras))
+def uphill(point, pixels, cameras):
+    return point - step(*linearised(point, pixels, cameras))
 
 
-def step_only(X, pixels, cameras):
-    return step(*linearised(X, pixels, cameras))
+def step_only(point, pixels, cameras):
+    return step(*linearised(point, pixels, cameras))
 
 
-def measured_pixel_in_J(X, pixels, cameras):
+def measured_pixel_in_J(point, pixels, cameras):
     return with_derivatives(
-        X, pixels, cameras, lambda P, _, x, c: (P[:2, :3] - x[:, None] * P[2, :3]) / c
+        point, pixels, cameras, lambda P, _, x, c: (P[:2, :3] - x[:, None] * P[2, :3]) / c
     )
 
 
-def depth_left_out_of_J(X, pixels, cameras):
+def depth_left_out_of_J(point, pixels, cameras):
     return with_derivatives(
-        X, pixels, cameras, lambda P, x, _, __: P[:2, :3] - x[:, None] * P[2, :3]
+        point, pixels, cameras, lambda P, x, _, __: P[:2, :3] - x[:, None] * P[2, :3]
     )
 
 
-def depth_taken_for_constant(X, pixels, cameras):
-    return with_derivatives(X, pixels, cameras, lambda P, _, __, c: P[:2, :3] / c)
+def depth_taken_for_constant(point, pixels, cameras):
+    return with_derivatives(point, pixels, cameras, lambda P, _, __, c: P[:2, :3] / c)
 
 
-def sign_in_the_derivative(X, pixels, cameras):
+def sign_in_the_derivative(point, pixels, cameras):
     return with_derivatives(
-        X, pixels, cameras, lambda P, x, _, c: (P[:2, :3] + x[:, None] * P[2, :3]) / c
+        point, pixels, cameras, lambda P, x, _, c: (P[:2, :3] + x[:, None] * P[2, :3]) / c
     )
 
 
-def only_one_term_divided(X, pixels, cameras):
+def only_one_term_divided(point, pixels, cameras):
     return with_derivatives(
-        X, pixels, cameras, lambda P, x, _, c: P[:2, :3] - x[:, None] * P[2, :3] / c
+        point, pixels, cameras, lambda P, x, _, c: P[:2, :3] - x[:, None] * P[2, :3] / c
     )
 
 
-def squared_depth(X, pixels, cameras):
+def squared_depth(point, pixels, cameras):
     return with_derivatives(
-        X, pixels, cameras, lambda P, x, _, c: (P[:2, :3] - x[:, None] * P[2, :3]) / c**2
+        point, pixels, cameras, lambda P, x, _, c: (P[:2, :3] - x[:, None] * P[2, :3]) / c**2
     )
 
 
-def same_pixel_in_both_rows(X, pixels, cameras):
+def same_pixel_in_both_rows(point, pixels, cameras):
     return with_derivatives(
-        X, pixels, cameras, lambda P, x, _, c: (P[:2, :3] - x[0] * P[2, :3]) / c
+        point, pixels, cameras, lambda P, x, _, c: (P[:2, :3] - x[0] * P[2, :3]) / c
     )
 
 
-def first_row_for_v(X, pixels, cameras):
+def first_row_for_v(point, pixels, cameras):
     return with_derivatives(
-        X, pixels, cameras, lambda P, x, _, c: (P[0, :3] - x[:, None] * P[2, :3]) / c
+        point, pixels, cameras, lambda P, x, _, c: (P[0, :3] - x[:, None] * P[2, :3]) / c
     )
 
 
-def last_column_left_out(X, pixels, cameras):
+def last_column_left_out(point, pixels, cameras):
     J, r = [], []
     for pixel, P in zip(pixels, cameras, strict=True):
-        a = P[:, :3] @ X
+        a = P[:, :3] @ point
         J.extend((P[:2, :3] - (a[:2] / a[2])[:, None] * P[2, :3]) / a[2])
         r.extend(a[:2] / a[2] - pixel)
-    return X + step(np.array(J), np.array(r))
+    return point + step(np.array(J), np.array(r))
 
 
-def measured_for_residuals(X, pixels, cameras):
-    return X + step(linearised(X, pixels, cameras)[0], pixels.ravel())
+def measured_for_residuals(point, pixels, cameras):
+    return point + step(linearised(point, pixels, cameras)[0], pixels.ravel())
 
 
-def measured_with_the_other_sign(X, pixels, cameras):
-    return X - step(linearised(X, pixels, cameras)[0], pixels.ravel())
+def measured_with_the_other_sign(point, pixels, cameras):
+    return point - step(linearised(point, pixels, cameras)[0], pixels.ravel())
 
 
-def projected_for_residuals(X, pixels, cameras):
-    J, r = linearised(X, pixels, cameras)
-    return X + step(J, r + pixels.ravel())
+def projected_for_residuals(point, pixels, cameras):
+    J, r = linearised(point, pixels, cameras)
+    return point + step(J, r + pixels.ravel())
 
 
-def matrix_not_inverted(X, pixels, cameras):
-    J, r = linearised(X, pixels, cameras)
-    return X - J.T @ J @ (J.T @ r)
+def matrix_not_inverted(point, pixels, cameras):
+    J, r = linearised(point, pixels, cameras)
+    return point - J.T @ J @ (J.T @ r)
 
 
-def pixels_not_divided(X, pixels, cameras):
+def pixels_not_divided(point, pixels, cameras):
     J, r = [], []
     for pixel, P in zip(pixels, cameras, strict=True):
-        a = P @ np.append(X, 1)
+        a = P @ np.append(point, 1)
         J.extend((P[:2, :3] - a[:2, None] * P[2, :3]) / a[2])
         r.extend(a[:2] - pixel)
-    return X + step(np.array(J), np.array(r))
+    return point + step(np.array(J), np.array(r))
 
 
-def downhill_only(X, pixels, cameras):
-    J, r = linearised(X, pixels, cameras)
-    return X - J.T @ r
+def downhill_only(point, pixels, cameras):
+    J, r = linearised(point, pixels, cameras)
+    return point - J.T @ r
 
 
-def four_columns(X, pixels, cameras):
+def four_columns(point, pixels, cameras):
     rows = []
     for P in cameras:
-        a = P @ np.append(X, 1)
+        a = P @ np.append(point, 1)
         rows.extend((P[:2] - (a[:2] / a[2])[:, None] * P[2]) / a[2])
-    return X + step(np.array(rows), linearised(X, pixels, cameras)[1])
+    return point + step(np.array(rows), linearised(point, pixels, cameras)[1])
 
 
-def until_nothing_moves(X, pixels, cameras):
+def until_nothing_moves(point, pixels, cameras):
     for _ in range(10):
-        X = X + step(*linearised(X, pixels, cameras))
-    return X
+        point = point + step(*linearised(point, pixels, cameras))
+    return point
 
 
-def two_steps(X, pixels, cameras):
-    X = X + step(*linearised(X, pixels, cameras))
-    return X + step(*linearised(X, pixels, cameras))
+def two_steps(point, pixels, cameras):
+    point = point + step(*linearised(point, pixels, cameras))
+    return point + step(*linearised(point, pixels, cameras))
 
 
-def equations_of_u(X, pixels, cameras):
-    J, r = linearised(X, pixels, cameras)
-    return X + step(J[::2], r[::2])
+def equations_of_u(point, pixels, cameras):
+    J, r = linearised(point, pixels, cameras)
+    return point + step(J[::2], r[::2])
 
 
-def first_camera(X, pixels, cameras):
-    return X + step(*linearised(X, pixels[:1], cameras[:1]))
+def first_camera(point, pixels, cameras):
+    return point + step(*linearised(point, pixels[:1], cameras[:1]))
 
 
-def last_camera(X, pixels, cameras):
-    return X + step(*linearised(X, pixels[-1:], cameras[-1:]))
+def last_camera(point, pixels, cameras):
+    return point + step(*linearised(point, pixels[-1:], cameras[-1:]))
 
 
-def two_cameras_of_all(X, pixels, cameras):
-    return X + step(*linearised(X, pixels[:2], cameras[:2]))
+def two_cameras_of_all(point, pixels, cameras):
+    return point + step(*linearised(point, pixels[:2], cameras[:2]))
 
 
-def order_of_rows_mixed(X, pixels, cameras):
-    J, r = linearised(X, pixels, cameras)
-    return X + step(J, r.reshape(-1, 2).T.ravel())
+def order_of_rows_mixed(point, pixels, cameras):
+    J, r = linearised(point, pixels, cameras)
+    return point + step(J, r.reshape(-1, 2).T.ravel())
 
 
-def all_that_lstsq_gives(X, pixels, cameras):
-    J, r = linearised(X, pixels, cameras)
-    return X + np.linalg.lstsq(J, -r, rcond=None)
+def all_that_lstsq_gives(point, pixels, cameras):
+    J, r = linearised(point, pixels, cameras)
+    return point + np.linalg.lstsq(J, -r, rcond=None)

@@ -31,15 +31,15 @@ def triangulate_linear(pixels, cameras):
     return np.linalg.lstsq(rows[:, :3], -rows[:, 3], rcond=None)[0]
 
 
-def refine_point(X, pixels, cameras):
+def refine_point(guess, pixels, cameras):
     """With derivatives from differences, and the normal equations."""
 
     def residuals(point):
         seen = cameras[:, :, :3] @ point + cameras[:, :, 3]
         return (seen[:, :2] / seen[:, 2:] - pixels).ravel()
 
-    J = np.array([(residuals(X + h) - residuals(X - h)) / 2e-5 for h in 1e-5 * np.eye(3)]).T
-    return X - np.linalg.inv(J.T @ J) @ (J.T @ residuals(X))
+    J = np.array([(residuals(guess + h) - residuals(guess - h)) / 2e-5 for h in 1e-5 * np.eye(3)]).T
+    return guess - np.linalg.inv(J.T @ J) @ (J.T @ residuals(guess))
 
 
 def depth_from_disparity(disparity, f, baseline, offset):
@@ -67,11 +67,11 @@ def intersect_ray_plane(origin, directions, plane):
     return answer
 
 
-def point_covariance(X, cameras, sigma):
+def point_covariance(point, cameras, sigma):
     """The sum of what each camera knows, from the product rule."""
     information = np.zeros((3, 3))
     for P in cameras:
-        (a, b), c = P[:2] @ [*X, 1], P[2] @ [*X, 1]
+        (a, b), c = P[:2] @ [*point, 1], P[2] @ [*point, 1]
         du = P[0, :3] / c - a * P[2, :3] / c**2
         dv = P[1, :3] / c - b * P[2, :3] / c**2
         information += (np.outer(du, du) + np.outer(dv, dv)) / sigma**2
