@@ -31,6 +31,10 @@ FIGURES = {
     "more_cameras": draw.more_cameras,
     "point_cloud": draw.point_cloud,
     "two_rays": lambda: draw.two_rays(CLOSEST),
+    "two_rays far": lambda: draw.two_rays((CLOSEST[0], 100 * CLOSEST[1])),
+    "disparity_and_depth far": lambda: draw.disparity_and_depth([2523.9, 1.0]),
+    "depth_curves far": lambda: draw.depth_curves([0.7, 2.8, 6.4, 100.0]),
+    "cloud far": lambda: draw.cloud(100 * C),
 }
 NO_FIGURES = {"dense_disparity", "laser_line", "motorcycle"}
 WITH_ANSWERS = {
@@ -81,13 +85,17 @@ def test_what_a_student_cannot_have_meant_does_no_harm(show, kind):
     drawn = show(yours=yours)
     drawn.canvas.draw()
     assert not len(marked(drawn.axes[-1], "*"))
+    said = " ".join([*written(drawn.axes[-1]), drawn.axes[-1].get_xlabel()])
+    assert ("yours" in said) == (kind in ("nan", "huge", "negative"))
 
 
 @pytest.mark.parametrize(
     "yours", [None, "two", (), ([1, 2], [3, 4]), (None, None), (np.full(3, np.nan),) * 2, 5]
 )
 def test_no_stars_where_no_points_are(yours):
-    assert not len(marked(draw.two_rays(yours).axes[0], "*"))
+    ax = draw.two_rays(yours).axes[0]
+    assert not len(marked(ax, "*"))
+    assert ("yours: not all inside the figure" in written(ax)) == (yours is not None)
 
 
 # What they show

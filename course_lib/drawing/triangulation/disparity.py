@@ -9,6 +9,7 @@ import numpy as np
 from course_lib.drawing.diagrams import dimension, figure, panels, same_shape, sketch, stroke, write
 from course_lib.drawing.style import FULL_WIDTH, ROLES
 from course_lib.drawing.triangulation.pair import BASELINE, MARKED, OFFSET, F
+from course_lib.drawing.triangulation.rays import OUTSIDE
 from course_lib.triangulation import depth_from_disparity
 
 if TYPE_CHECKING:
@@ -47,8 +48,10 @@ def disparity_and_depth(yours: Any = None) -> Figure:
             color=ROLES["object"],
             ha="center",
         )
-        if stars is not None and np.isfinite(stars[k]) and 1500 < stars[k] < 5500:
+        if stars is not None and 1500 < stars[k] < 5500:
             curve.plot(disparity, stars[k] / 1000, "*", color=ROLES["ray"], ms=14, mec="black")
+    if stars is not None and not ((stars > 1500) & (stars < 5500)).all():
+        write(curve, (40, 5.1), OUTSIDE, "guide")
     curve.set(xlabel="disparity d (px)", ylabel="depth Z (m)", ylim=(1.5, 5.5), xlim=(0, 70))
     return fig
 

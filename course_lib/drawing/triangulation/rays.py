@@ -22,6 +22,7 @@ UPRIGHT = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
 #: The rays of the worked example.
 ORIGINS = np.array([[0.0, 0, 0], [1, 2, 0]])
 DIRECTIONS = np.array([[0.0, 0, 1], [-1, 0, 5]])
+OUTSIDE = "yours: not all inside the figure"
 LENGTH = 6.3  # of the rays as they are drawn, along z
 
 
@@ -51,8 +52,11 @@ def two_rays(yours: Any = None) -> Figure:
     for point, role in ((one, "camera"), (other, "second")):
         _spot(ax, view, point, role, "o", 8)
     _named(ax, view, one, other)
-    for point in _pair(yours):
+    drawn = _pair(yours)
+    for point in drawn:
         _spot(ax, view, point, "ray", "*", 17)
+    if yours is not None and len(drawn) < 2:
+        write(ax, (480, -370), OUTSIDE, "guide")
     fit(ax, 10, 630, -440, -40)
     return fig
 

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
+from course_lib.drawing.diagrams import Floats, figure, panels, same_shape, write
 from course_lib.drawing.style import FULL_WIDTH, GREY, ROLES
+from course_lib.drawing.triangulation.rays import OUTSIDE
 from course_lib.triangulation import depth_uncertainty, point_covariance, refine_point
 
 if TYPE_CHECKING:
@@ -89,13 +90,23 @@ def cloud(yours: Any = None) -> Figure:
     near.plot(*outline(C).T, color=ROLES["camera"], lw=2)
     share = f"{100 * inside(off, C):.0f} % inside of 2σ"
     covariance = same_shape(yours, np.zeros((3, 3)))
-    if covariance is not None and np.isfinite(covariance).all():
-        part = 1e6 * covariance[np.ix_([0, 2], [0, 2])]
-        near.plot(*outline((part + part.T) / 2).T, "--", color=ROLES["ray"], lw=3)
-        share += "\ndashed: yours"
+    if covariance is not None:
+        line = _own_ellipse(covariance)
+        near.plot(*line.T, "--", color=ROLES["ray"], lw=3)
+        share += "\ndashed: yours" if len(line) else f"\n{OUTSIDE}"
     near.set(xlim=(-24, 24), ylim=(-60, 60), aspect="equal", title="1000 answers")
     near.set(xlabel=f"error in x (mm)\n{share}", ylabel="error in z (mm)")
     return fig
+
+
+def _own_ellipse(covariance: Floats) -> Floats:
+    """Return the ellipse of a student's covariance, (73, 2) or (0, 2), mm: none if out of sight."""
+    part = covariance[np.ix_([0, 2], [0, 2])]
+    if not (np.abs(part) < 1).all():  # m², also if it is no number
+        return np.zeros((0, 2))
+    line = outline(5e5 * (part + part.T))
+    seen = (np.abs(line) < (24, 60)).all() and np.ptp(line, axis=0).min() > 0.5
+    return line if seen else np.zeros((0, 2))
 
 
 def _plan(ax: Axes) -> None:
@@ -143,7 +154,9 @@ def depth_curves(yours: Any = None) -> Figure:
     ax.annotate("1 mm at 2 m", (2, 1), (6, -11), textcoords="offset points", color=ROLES["object"])
     stars = same_shape(yours, np.zeros(4))
     if stars is not None:
-        good = np.isfinite(stars) & (stars >= 0) & (stars <= 16)
+        good = (stars >= 0) & (stars <= 16)
         ax.plot(np.arange(1, 5)[good], stars[good], "*", color=ROLES["ray"], ms=15, mec="black")
+        if not good.all():
+            write(ax, (1.6, 14.5), OUTSIDE, "guide")
     ax.set(xlim=(0.5, 5), ylim=(0, 16), xlabel="distance Z (m)", ylabel="$\\sigma_Z$ (mm)")
     return fig
