@@ -56,7 +56,7 @@ CALLS = {
     "move_block": (bundle.move_block, (turns, two, three, twelve, three)),
 }
 #: What is tried below with a whole block, and what the functions return.
-WITH_A_BLOCK = {"bundle_adjust", "check_block"}
+WITH_A_BLOCK = {"bundle_adjust", "check_block", "self_calibrate"}
 VALUES = {
     "BundleAdjustment",
     "CheckErrors",
@@ -64,6 +64,7 @@ VALUES = {
     "Precision",
     "RelativeOrientation",
     "Resection",
+    "SelfCalibration",
     "Similarity",
 }
 
@@ -135,3 +136,19 @@ def test_a_damaged_block_is_adjusted_or_named(gone, push, robust, gauge, seed):
         assert finite([fit.residuals, fit.block.points])
         precision = outcome(lambda: fit.precision)
         assert not precision or finite([precision.cameras, precision.points])
+
+
+@fuzzing(8)
+@given(
+    gone=st.lists(st.integers(0, len(KNOWN.observations) - 1), max_size=60, unique=True),
+    free=st.lists(st.sampled_from(["f", "c", "k1", "k2", "k3"]), max_size=3),
+    push=st.sampled_from([0, 1, 100]),
+)
+def test_the_lens_of_a_damaged_block_is_found_or_named(gone, free, push):
+    random, seen = np.random.default_rng(0), KNOWN.observations
+    kept = seen.only(np.setdiff1d(np.arange(len(seen)), gone))
+    away = push * random.standard_normal(kept.pixels.shape)
+    kept = Observations(kept.cameras, kept.points, kept.pixels + away, 0.5)
+    found = outcome(lambda: bundle.self_calibrate(KNOWN.truth, kept, None, free, steps=3))
+    if found:
+        assert finite([*found.corrections.values(), *found.sigma.values(), found.K])
