@@ -69,9 +69,24 @@ def test_the_same_generator_gives_the_same_answer():
 
 
 def test_number_of_samples():
-    assert ransac_iterations(0.99, 8, 0.5) == 1177
     assert ransac_iterations(0.99, 7, 0) == 1
     assert ransac_iterations(0.99, 5, 0.3) == 26  # log 0.01 / log(1 - 0.7⁵) = 25.1
+
+
+def test_published_numbers_of_samples():
+    """Hartley & Zisserman, table 4.3: 5, 10, 20, 25, 30, 40 and 50 % wrong, confidence 0.99."""
+    table = {
+        2: (2, 3, 5, 6, 7, 11, 17),
+        3: (3, 4, 7, 9, 11, 19, 35),
+        4: (3, 5, 9, 13, 17, 34, 72),
+        5: (4, 6, 12, 17, 26, 57, 146),
+        6: (4, 7, 16, 24, 37, 97, 293),
+        7: (4, 8, 20, 33, 54, 163, 588),
+        8: (5, 9, 26, 44, 78, 272, 1177),
+    }
+    for size, row in table.items():
+        shares = 0.05, 0.1, 0.2, 0.25, 0.3, 0.4, 0.5
+        assert tuple(ransac_iterations(0.99, size, share) for share in shares) == row
 
 
 @pytest.mark.parametrize(
