@@ -5,6 +5,9 @@ import numpy as np
 import pytest
 from lab import run_all_cells, write_notebook
 
+from course_lib.drawing.explorers.epipolar import trail
+from course_lib.drawing.explorers.pairs import TOWARDS
+
 #: Chapter, function, title, and the label of the slider that is moved.
 EXPLORERS = {
     "aperture": ("pinhole", "aperture_explorer", "The hole of a pinhole camera", "Hole diameter d"),
@@ -87,7 +90,7 @@ EXPLORERS = {
         "As taken (0) to rectified (1)",
     ),
     "bench": ("triangulation", "bench_explorer", "Triangulation bench", "Baseline b"),
-    "disparity": ("triangulation", "disparity_explorer", "Disparity of a real pair", "Column u"),
+    "disparity": ("triangulation", "disparity_explorer", "Disparity of a real pair", "Row v"),
     "growing": ("bundle", "growing_explorer", "A block grows", "Cameras"),
     "control": ("bundle", "control_point_game", "Place the control points", "Point 1 east"),
 }
@@ -338,6 +341,12 @@ def test_the_pointer_draws_its_ray_in_other_pictures_without_python(page):
     for u, v in ((60, 60), (200, 200)):
         page.mouse.move(box["x"] + (u + 0.5) * scale, box["y"] + (v + 0.5) * scale)
         seen.append([pixels(picture.locator("xpath=..")) for picture in pictures[1:3]])
+        path = trail(TOWARDS, 1).path((u, v))
+        on = [p for p in np.linspace(*path, 400) if ((p > 12) & (p < (328, 243))).all()]
+        rows, columns = np.transpose([(p[::-1] + 0.5) * scale for p in on]).astype(int)
+        reds = seen[-1][0][rows, columns]  # BGR; labels of depths hide some
+        assert len(on) > 40
+        assert (np.abs(reds - (0xA7, 0x79, 0xCC)).max(axis=1) < 60).mean() > 0.6
     for which in (0, 1):  # on the right, and from above
         assert (seen[0][which] != before[which]).mean() > 0.003
         assert (seen[0][which] != seen[1][which]).mean() > 0.003

@@ -15,6 +15,7 @@ from course_lib.drawing.explorers.frame import (
     matrix,
 )
 from course_lib.drawing.explorers.marks import Marks
+from course_lib.drawing.explorers.trails import Trail
 from course_lib.widgets.messages import encode_frame, i420, jpeg
 
 GRADIENT = np.stack(np.broadcast_arrays(np.arange(60)[None], np.arange(40)[:, None], 200), axis=2)
@@ -67,6 +68,23 @@ def test_marks_arrive_with_what_they_say():
 def test_marks_want_numbers_for_every_name(values):
     with pytest.raises(ValueError, match=r"2 points and 2 names want values of shape \(2, 2\)"):
         Marks(np.zeros((2, 2)), values, ("a", "b"), ("", ""), (0, 0))
+
+
+def test_trails_arrive_with_all_that_the_browser_draws_them_from():
+    trail = Trail(1, np.arange(9.0).reshape(3, 3), np.array([1.0, 2, 3]), 0.5, (4.0, 10.0), "m")
+    pointed = Picture("Left", "a point", (60, 40), trails=(trail,))
+    message, _ = encode_frame(Frame((pointed, SKETCH)))
+    (sent,) = json.loads(json.dumps(message))["pictures"][0]["trails"]
+    assert sent == {
+        "picture": 1,
+        "A": [[0, 1, 2], [3, 4, 5], [6, 7, 8]],
+        "e": [1, 2, 3],
+        "near": 0.5,
+        "depths": [4, 10],
+        "unit": "m",
+        "role": "second",
+    }
+    assert message["pictures"][1]["trails"] == []
 
 
 def test_a_photograph_arrives_as_jpeg_in_the_right_colours():
