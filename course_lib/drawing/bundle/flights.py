@@ -116,7 +116,7 @@ def best_k1(known: KnownBlock, seen: Observations) -> tuple[float, float]:
 
 
 @figure(
-    "Maps of height errors: a dome of 0.3 m, held only in places by control, gone with oblique."
+    "Maps of height errors: a dome, held in places by control points, gone with oblique pictures."
 )
 def domes() -> Figure:
     """Show the errors of the heights of three flights with the same wrong lens.
