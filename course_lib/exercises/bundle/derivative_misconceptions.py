@@ -144,3 +144,44 @@ def in_one_table(point, K, R, t):
 
 def pose_only(point, K, R, t):
     return chained(by_the_ray(K, R @ point + t), R @ point + t, R)[0]
+
+
+def depth_squared_everywhere(point, K, R, t):
+    q = R @ point + t
+    return chained(by_the_ray(K, q) / [q[2], q[2], 1], q, R)
+
+
+def not_divided_by_depth(point, K, R, t):
+    q = R @ point + t
+    return chained(by_the_ray(K, q) * [q[2], q[2], 1], q, R)
+
+
+def x_in_both_rows(point, K, R, t):
+    q = R @ point + t
+    A = by_the_ray(K, q)
+    A[1, 2] *= q[0] / q[1]
+    return chained(A, q, R)
+
+
+def rotation_transposed_in_q(point, K, R, t):
+    q = R.T @ point + t
+    return chained(by_the_ray(K, q), q, R)
+
+
+def rotation_left_out_for_the_point(point, K, R, t):
+    A = by_the_ray(K, R @ point + t)
+    return chained(A, R @ point + t, R)[0], A
+
+
+def turn_after_R(point, K, R, t):
+    q = R @ point + t
+    A = by_the_ray(K, q)
+    return np.hstack([-A @ R @ skew(q), -A @ R]), A @ R
+
+
+def point_only(point, K, R, t):
+    return chained(by_the_ray(K, R @ point + t), R @ point + t, R)[1]
+
+
+def first_link_only(point, K, R, t):
+    return by_the_ray(K, R @ point + t)

@@ -8,6 +8,18 @@ import numpy as np
 
 from course_lib import resection
 
+#: A judge tries all wrong answers on the same points: their camera is computed once.
+CAMERAS: dict[bytes, Any] = {}
+
+
+def camera_of(points: Any, pixels: Any) -> Any:
+    key = points.tobytes() + pixels.tobytes()
+    if key not in CAMERAS:
+        if len(CAMERAS) > 8:
+            CAMERAS.clear()
+        CAMERAS[key] = resection.camera_dlt(points, pixels)
+    return CAMERAS[key].copy()
+
 
 def parts_of(M: Any) -> Any:
     """Return what is right for a right K⁻¹ P: U, S, Vᵀ and the last column."""
@@ -20,25 +32,25 @@ def pose_of(M: Any) -> Any:
 
 
 def without_K(points: Any, pixels: Any, K: Any) -> Any:
-    return np.linalg.inv(K) @ resection.camera_dlt(points, pixels)
+    return np.linalg.inv(K) @ camera_of(points, pixels)
 
 
 def K_left_out(points, pixels, K):
-    return pose_of(resection.camera_dlt(points, pixels))
+    return pose_of(camera_of(points, pixels))
 
 
 def K_not_inverted(points, pixels, K):
-    return pose_of(K @ resection.camera_dlt(points, pixels))
+    return pose_of(K @ camera_of(points, pixels))
 
 
 def K_from_the_right(points, pixels, K):
-    P = resection.camera_dlt(points, pixels)
+    P = camera_of(points, pixels)
     M = np.column_stack([P[:, :3] @ np.linalg.inv(K), np.linalg.inv(K) @ P[:, 3]])
     return pose_of(M)
 
 
 def K_for_the_rotation_only(points, pixels, K):
-    P = resection.camera_dlt(points, pixels)
+    P = camera_of(points, pixels)
     U, S, Vt = np.linalg.svd(np.linalg.inv(K) @ P[:, :3])
     return U @ Vt, P[:, 3] / S.mean()
 
@@ -114,3 +126,56 @@ def rotation_by_qr(points, pixels, K):
     _, S, _, last = parts_of(M)
     Q, upper = np.linalg.qr(M[:, :3])
     return Q * np.sign(np.diag(upper)), last / S.mean()
+
+
+def rotation_with_K_in_it(points, pixels, K):
+    U, _, Vt = np.linalg.svd(camera_of(points, pixels)[:, :3])
+    _, S, _, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt, last / S.mean()
+
+
+def svd_of_all_four(points, pixels, K):
+    M = without_K(points, pixels, K)
+    U, S, Vt = np.linalg.svd(M)
+    return U @ Vt[:3, :3], M[:, 3] / S.mean()
+
+
+def factors_swapped(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return Vt @ U, last / S.mean()
+
+
+def columns_made_length_one(points, pixels, K):
+    M = without_K(points, pixels, K)
+    return M[:, :3] / np.linalg.norm(M[:, :3], axis=0), M[:, 3] / parts_of(M)[1].mean()
+
+
+def columns_made_length_one_only(points, pixels, K):
+    M = without_K(points, pixels, K)
+    return M[:, :3] / np.linalg.norm(M[:, :3], axis=0), M[:, 3]
+
+
+def multiplied_instead(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt, last * S.mean()
+
+
+def divided_by_the_determinant(points, pixels, K):
+    M = without_K(points, pixels, K)
+    U, _, Vt, last = parts_of(M)
+    return U @ Vt, last / np.cbrt(np.linalg.det(M[:, :3]))
+
+
+def divided_one_by_one(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return U @ Vt, last / S
+
+
+def translation_as_a_column(points, pixels, K):
+    R, t = pose_of(without_K(points, pixels, K))
+    return R, t[:, None]
+
+
+def row_for_column(points, pixels, K):
+    M = without_K(points, pixels, K)
+    return pose_of(M)[0], M[2] / parts_of(M)[1].mean()

@@ -41,7 +41,12 @@ RESECT_CAMERA = Exercise(
             wrong.not_made_a_rotation,
             "Without errors it is right. With them, are the three columns of your R still "
             "perpendicular and of length 1?",
-            also=[wrong.divided_but_no_rotation, wrong.lengths_put_back],
+            also=[
+                wrong.divided_but_no_rotation,
+                wrong.lengths_put_back,
+                wrong.columns_made_length_one,
+                wrong.columns_made_length_one_only,
+            ],
         ),
         Misconception(
             wrong.rotation_by_qr,
@@ -58,7 +63,13 @@ RESECT_CAMERA = Exercise(
             "what the text says?",
             also=[
                 wrong.divided_by_the_sum,
+                wrong.divided_by_the_determinant,
+                wrong.divided_one_by_one,
             ],
+        ),
+        Misconception(
+            wrong.multiplied_instead,
+            "The last column is as many times too long as the others. Should it become longer?",
         ),
         Misconception(
             wrong.divided_to_length_one,
@@ -67,6 +78,18 @@ RESECT_CAMERA = Exercise(
         Misconception(
             wrong.V_not_transposed,
             "NumPy gives U, S and a third matrix. Is that V, or its transpose already?",
+        ),
+        Misconception(
+            wrong.factors_swapped,
+            "A product of matrices has an order. Which of the two stands on the left in the SVD?",
+        ),
+        Misconception(
+            wrong.svd_of_all_four,
+            "A rotation has three columns. Of how many columns do you take the SVD?",
+        ),
+        Misconception(
+            wrong.rotation_with_K_in_it,
+            "Your t is right. Of which matrix do you take the SVD: is K still in it?",
         ),
         Misconception(
             wrong.centre_for_translation,
@@ -84,6 +107,14 @@ RESECT_CAMERA = Exercise(
         Misconception(
             wrong.one_matrix,
             "R and t stand in one table. How does a function return two things?",
+        ),
+        Misconception(
+            wrong.translation_as_a_column,
+            "Your t is a table with one column. Does `3:` pick a number of each row, or a list?",
+        ),
+        Misconception(
+            wrong.row_for_column,
+            "Your t has four numbers. Is it a row of the matrix, or a column?",
         ),
     ],
 )
@@ -106,6 +137,16 @@ REPROJECTION_JACOBIAN = Exercise(
         Misconception(
             slope.depth_not_squared,
             "What is the derivative of 1/z: which power of z does it have?",
+        ),
+        Misconception(
+            slope.depth_squared_everywhere,
+            "Move the point to the right by a little. By which power of z is the step of its pixel "
+            "divided?",
+            also=[slope.not_divided_by_depth],
+        ),
+        Misconception(
+            slope.x_in_both_rows,
+            "The row of u is right. Which of x and y makes v?",
         ),
         Misconception(
             slope.depth_left_out,
@@ -135,13 +176,14 @@ REPROJECTION_JACOBIAN = Exercise(
             also=[
                 slope.translation_left_out,
                 slope.rotation_left_out_of_q,
+                slope.rotation_transposed_in_q,
             ],
         ),
         Misconception(
             slope.rotation_left_out,
             "At the origin it is right. A move is counted along the axes of the world. Which "
             "matrix tells what it is in the camera's frame?",
-            also=[slope.rotation_transposed],
+            also=[slope.rotation_transposed, slope.rotation_left_out_for_the_point],
         ),
         Misconception(
             slope.turn_of_the_world_point,
@@ -151,6 +193,7 @@ REPROJECTION_JACOBIAN = Exercise(
         Misconception(
             slope.turn_followed_by_R,
             "The turn is about the camera's own axes. Is a rotation needed to get there?",
+            also=[slope.turn_after_R],
         ),
         Misconception(
             slope.turn_with_plus,
@@ -188,7 +231,7 @@ REPROJECTION_JACOBIAN = Exercise(
         Misconception(
             slope.in_one_table,
             "How many tables does the function return?",
-            also=[slope.pose_only],
+            also=[slope.pose_only, slope.point_only, slope.first_link_only],
         ),
     ],
 )
