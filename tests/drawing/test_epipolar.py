@@ -40,7 +40,7 @@ FIGURES = {
 }
 NO_FIGURES = {"board_fundamental", "computed_boards", "eight_pairs", "forward_fundamental"}
 NO_FIGURES |= {"motorcycle", "painted_wall", "pose_errors", "stereo_boards", "street_cameras"}
-NO_FIGURES |= {"street_points", "two_halves"}
+NO_FIGURES |= {"street_points", "two_halves", "judged_matrix", "judged_pose"}
 
 
 @pytest.fixture(scope="module", params=FIGURES)
@@ -93,6 +93,27 @@ def test_lines_in_the_wrong_picture_are_drawn_where_they_are():
     figure.canvas.draw()
     (stroke,) = (line for line in lines(figure.axes[1], "camera") if len(line) == 2)
     assert epi.line_distance(RIGHT[0], np.cross(*np.column_stack([stroke, [1, 1]]))) > 5
+
+
+@pytest.mark.parametrize(
+    ("R", "t", "words"),
+    [
+        (np.eye(3), np.zeros(3), "Your t has no direction"),
+        (2 * np.eye(3), (1, 0, 0), "Your R cannot be compared: "),
+        (np.full((3, 3), np.nan), (1, 0, 0), "Your R cannot be compared: "),
+        (np.diag([1, 1, -1]), (1, 0, 0), "Your R cannot be compared: "),
+        (np.eye(3), (np.nan, 0, 0), "Your t has no direction"),
+        (BOARDS.calibration.R, BOARDS.calibration.t, "turn off by 0.000°, direction by 0.000°"),
+    ],
+)
+def test_of_any_pose_a_sentence_says_what_it_is(R, t, words):
+    assert draw.judged_pose(R, t, BOARDS.calibration).startswith(words)
+
+
+@pytest.mark.parametrize("bad", [np.zeros((3, 3)), np.full((3, 3), np.nan), np.diag([0, 0, 1.0])])
+def test_a_matrix_without_lines_is_said_to_be_one(bad):
+    assert draw.judged_matrix(bad, LEFT, RIGHT).startswith("Your F gives no lines: ")
+    assert draw.judged_matrix(F, LEFT, RIGHT) == "0.000 px off the lines on average"
 
 
 @pytest.mark.parametrize(

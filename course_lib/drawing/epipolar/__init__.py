@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from course_lib.drawing.epipolar.geometry import epipolar_plane, four_poses
 from course_lib.drawing.epipolar.gruber import von_gruber
+from course_lib.drawing.epipolar.judged import judged_matrix, judged_pose, pose_errors
 from course_lib.drawing.epipolar.photographs import (
     computed_boards,
     motorcycle,
@@ -13,7 +14,6 @@ from course_lib.drawing.epipolar.photographs import (
 from course_lib.drawing.epipolar.real import (
     board_fundamental,
     corner_lines,
-    pose_errors,
     rows,
     strokes,
     two_answers,
@@ -40,6 +40,8 @@ __all__ = [
     "forward",
     "forward_fundamental",
     "four_poses",
+    "judged_matrix",
+    "judged_pose",
     "lines_of_points",
     "motorcycle",
     "painted_wall",

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.calibration import StereoCalibration
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame
 from course_lib.drawing.epipolar.photographs import StereoBoards, wall_homography
 from course_lib.drawing.epipolar.street import stroke_of
@@ -22,7 +21,6 @@ from course_lib.epipolar import (
 )
 from course_lib.homogeneous import apply_homography
 from course_lib.tie_points import tie_points
-from course_lib.transforms import vector_from_rotation
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -44,27 +42,6 @@ def _show(ax: Axes, picture: NDArray[np.uint8], title: str) -> None:
     picture_frame(ax, (picture.shape[1], picture.shape[0]))
     ax.set_autoscale_on(False)
     ax.set_title(title, fontsize=11)
-
-
-def pose_errors(R: ArrayLike, t: ArrayLike, calibration: StereoCalibration) -> tuple[float, float]:
-    """Return how far a relative pose is from the calibrated one, in degrees.
-
-    Parameters
-    ----------
-    R, t : array_like, shape (3, 3) and (3,)
-        Left camera to right camera; the length of t does not matter.
-    calibration : StereoCalibration
-        The calibrated pair.
-
-    Returns
-    -------
-    tuple of float
-        The turn between both rotations, and the angle between both directions of t.
-    """
-    turn = np.linalg.norm(vector_from_rotation(np.asarray(R, float) @ calibration.R.T))
-    ours, theirs = (x / np.linalg.norm(x) for x in (np.asarray(t, float), calibration.t))
-    between = 2 * np.arcsin(min(1.0, float(np.linalg.norm(ours - theirs)) / 2))
-    return float(np.degrees(turn)), float(np.degrees(between))
 
 
 @figure(
@@ -164,25 +141,12 @@ def rows(boards: StereoBoards, view: int = 0) -> Figure:
     Figure
         Two rows of two pictures.
     """
-    import cv2
-
-    c, part = boards.calibration, slice(54 * view, 54 * (view + 1))
-    pair = rectify(c.K_left, c.K_right, c.R, c.t)
-    straight = boards.straightened(view)
-    turned = [
-        np.asarray(cv2.warpPerspective(picture, H, (640, 480)), np.uint8)
-        for picture, H in zip(straight, (pair.H1, pair.H2), strict=True)
-    ]
-    corners = [
-        apply_homography(points[part], H)
-        for points, H in zip(boards.straight_corners(), (pair.H1, pair.H2), strict=True)
-    ]
-    fig, axes = panels(2, 1, (FULL_WIDTH * 0.85, 5.6))
     taken = [boards.left_corners[view], boards.right_corners[view]]
     cases = (
         ((boards.left[view], boards.right[view]), taken, "as taken"),
-        (turned, corners, "rectified"),
+        (*_rectified(boards, view), "rectified"),
     )
+    fig, axes = panels(2, 1, (FULL_WIDTH * 0.85, 5.6))
     for ax, (pictures, points, name) in zip(axes, cases, strict=True):
         apart = points[0][:, 1] - points[1][:, 1]
         off = np.sqrt((apart**2).mean())
@@ -194,6 +158,24 @@ def rows(boards: StereoBoards, view: int = 0) -> Figure:
                 ax.plot(*at, "o", mfc="none", mec=ROLES[role], ms=7, mew=1.8)
         ax.set(xlabel="u, and u + 640 on the right (px)")
     return fig
+
+
+def _rectified(boards: StereoBoards, view: int) -> tuple[list[NDArray[np.uint8]], list[Floats]]:
+    """Return both photographs of a pair rectified, and their corners."""
+    import cv2
+
+    c, part = boards.calibration, slice(54 * view, 54 * (view + 1))
+    pair = rectify(c.K_left, c.K_right, c.R, c.t)
+    Hs = pair.H1, pair.H2
+    pictures = [
+        np.asarray(cv2.warpPerspective(picture, H, (640, 480)), np.uint8)
+        for picture, H in zip(boards.straightened(view), Hs, strict=True)
+    ]
+    corners = [
+        apply_homography(points[part], H)
+        for points, H in zip(boards.straight_corners(), Hs, strict=True)
+    ]
+    return pictures, corners
 
 
 def two_halves(
