@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections import OrderedDict
 from collections.abc import Callable
 from functools import wraps
@@ -9,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-MOST = 16
+#: The ship gate asks again and again for fifty seeds, two parts, and a few steps of each.
+MOST = 1000
 
 
 def kept(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -29,7 +31,8 @@ def kept(function: Callable[..., Any]) -> Callable[..., Any]:
 
     @wraps(function)
     def remembering(*arrays: Any) -> Any:
-        key = tuple((a.shape, a.tobytes()) for a in map(np.asarray, arrays))
+        numbers = b"".join(np.asarray(a, dtype=float).tobytes() for a in arrays)
+        key = *(np.shape(a) for a in arrays), hashlib.sha256(numbers).digest()
         if key not in results:
             results[key] = function(*arrays)
             if len(results) > MOST:
