@@ -253,6 +253,20 @@ def test_the_cloud_is_in_its_ellipse():
     says("86.5 % of all answers", "2·4/1 = 8 times")
 
 
+def test_the_ellipses_from_above_grow_and_lean():
+    def longest(x, z):
+        C = tri.point_covariance([x, 0, z], uncertainty.PAIR, uncertainty.NOISE)
+        sizes, axes = np.linalg.eigh(C[np.ix_([0, 2], [0, 2])])
+        along = axes[:, 1]
+        return np.sqrt(sizes[1]), x - z * along[0] / along[1]  # length; where it meets z = 0
+
+    assert longest(0.5, 4)[0] / longest(0.5, 2)[0] == pytest.approx(4)
+    for x in (-1, 2):
+        for z in (2, 3, 4, 5):
+            assert longest(x, z)[1] == pytest.approx(uncertainty.APART / 2, abs=0.07)
+    says("four times as long when the distance doubles", "points to the middle between the cameras")
+
+
 def test_the_bench():
     def at(b, Z, turn, third=False):
         frame = bench.bench_frame(b, Z, 0, turn, 0.5, third)
