@@ -1,4 +1,4 @@
-"""The ``course`` command: calibrate a camera, build notebooks from lessons, set a term up."""
+"""The ``course`` command: calibrate a camera, build notebooks, set a term up, grade it."""
 
 from __future__ import annotations
 
@@ -46,13 +46,14 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="course",
         description="For your own camera (calibrate, board), and for authors and instructors of "
-        "the camera course (build, term).",
+        "the camera course (build, term, grade).",
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     add_calibrate_command(commands)
     add_board_command(commands)
     _add_build(commands)
     _add_term(commands)
+    _add_grade(commands)
     return parser
 
 
@@ -110,6 +111,29 @@ def _add_term(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
         help="where students fetch and submit with nbgrader (DIR/exchange)",
     )
     command.set_defaults(run=_term)
+
+
+def _add_grade(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    command = commands.add_parser(
+        "grade",
+        help="grade what was handed in, behind walls, in a term's directory",
+        description="Grade the submissions of an assignment. Run it in a term's directory.",
+    )
+    option = command.add_argument
+    option("assignment", nargs="?", metavar="NN_topic", help="which assignment")
+    option("--student", nargs="+", default=[], metavar="ID", help="only these")
+    option("--force", action="store_true", help="grade again what was graded")
+    option("--term", type=Path, default=Path(), metavar="DIR", help="the term's directory")
+    option("--workers", type=int, metavar="N", help="how many at a time (one for each core)")
+    option("--isolation", choices=["bubblewrap", "none"], help="'none' trusts every submission")
+    option("--explain-isolation", action="store_true", help="say what holds on this machine")
+    command.set_defaults(run=_grade)
+
+
+def _grade(options: argparse.Namespace) -> int:
+    from course_lib.grading.command import grade
+
+    return grade(options)
 
 
 def _term(options: argparse.Namespace) -> int:

@@ -40,13 +40,17 @@ def read_given(resources: Mapping[str, Any]) -> dict[str, GivenCell]:
     """
     which = resources["nbgrader"]
     with Gradebook(which["db_url"]) as gradebook:
-        notebook = gradebook.find_notebook(which["notebook"], which["assignment"])
-        worth = {cell.name: cell.max_score for cell in notebook.grade_cells}
-        answers = {cell.name for cell in notebook.solution_cells}
-        return {
-            cell.name: GivenCell(cell.source, _flags(cell, worth.get(cell.name), answers))
-            for cell in notebook.source_cells
-        }
+        return given_in(gradebook.find_notebook(which["notebook"], which["assignment"]))
+
+
+def given_in(notebook: Any) -> dict[str, GivenCell]:
+    """Return the labelled cells of a notebook in the gradebook, by label."""
+    worth = {cell.name: cell.max_score for cell in notebook.grade_cells}
+    answers = {cell.name for cell in notebook.solution_cells}
+    return {
+        cell.name: GivenCell(cell.source, _flags(cell, worth.get(cell.name), answers))
+        for cell in notebook.source_cells
+    }
 
 
 def _flags(cell: Any, points: float | None, answers: set[str]) -> dict[str, Any]:
@@ -77,29 +81,47 @@ class LabelCells(NbGraderPreprocessor):  # type: ignore[misc]
         self, nb: NotebookNode, resources: dict[str, Any]
     ) -> tuple[NotebookNode, dict[str, Any]]:
         """Label the cells of one notebook."""
-        given = read_given(resources)
-        found: dict[str, list[int]] = {}
-        for index, cell in enumerate(nb.cells):
-            name = _take_label(cell)
-            if name in given:
-                found.setdefault(name, []).append(index)
-        for name, index in _choose(nb, given, found).items():
-            nb.cells[index].metadata["nbgrader"] = NotebookNode(given[name].flags)
-            self._show_rubric(nb.cells[index], given[name])
-        copied = [name for name, copies in found.items() if len(copies) > 1]
+        copied = label_cells(nb, read_given(resources))
         if copied:
             who = resources["nbgrader"].get("student", "somebody")
             text = "%s handed in more than one copy of: %s. One of each counts."
             self.log.warning(text, who, ", ".join(copied))
         return nb, resources
 
-    def _show_rubric(self, cell: NotebookNode, given: GivenCell) -> None:
-        """Give an unchanged question its rubric: nbgrader would call it a changed one."""
-        question = new_markdown_cell(given.source)
-        if given.flags["locked"] and given.flags["cell_type"] == "markdown":
-            step = ClearMarkScheme(parent=self, enforce_metadata=False)
-            if step.preprocess_cell(question, {}, 0)[0].source == cell.source:
-                cell.source = given.source
+
+def label_cells(nb: NotebookNode, given: Mapping[str, GivenCell]) -> list[str]:
+    """Keep one cell for each label, and give it the label as the source has it.
+
+    Parameters
+    ----------
+    nb : nbformat.NotebookNode
+        A submission; its labels are changed in place.
+    given : mapping of str to GivenCell
+        From `read_given`.
+
+    Returns
+    -------
+    list of str
+        The labels that were there more than once.
+    """
+    found: dict[str, list[int]] = {}
+    for index, cell in enumerate(nb.cells):
+        name = _take_label(cell)
+        if name in given:
+            found.setdefault(name, []).append(index)
+    for name, index in _choose(nb, given, found).items():
+        nb.cells[index].metadata["nbgrader"] = NotebookNode(given[name].flags)
+        _show_rubric(nb.cells[index], given[name])
+    return [name for name, copies in found.items() if len(copies) > 1]
+
+
+def _show_rubric(cell: NotebookNode, given: GivenCell) -> None:
+    """Give an unchanged question its rubric: nbgrader would call it a changed one."""
+    question = new_markdown_cell(given.source)
+    if given.flags["locked"] and given.flags["cell_type"] == "markdown":
+        step = ClearMarkScheme(enforce_metadata=False)
+        if step.preprocess_cell(question, {}, 0)[0].source == cell.source:
+            cell.source = given.source
 
 
 def _take_label(cell: NotebookNode) -> str:

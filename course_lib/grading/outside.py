@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ast
+import os
+import shutil
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, gettempdir
 from types import TracebackType
 from typing import Any
 
@@ -26,6 +28,8 @@ from course_lib.sandbox.limits import Allowance
 
 #: Imported before the first submission comes, whatever its notebook imports.
 USUAL = ("numpy", "scipy.linalg", "scipy.optimize", "matplotlib.pyplot", "cv2")
+#: Folders with copies of the library; the number of the process that made one follows.
+PREFIX = "course-grade-"
 UNCLEAR = "kind that cannot be compared"
 
 
@@ -93,7 +97,9 @@ class Judge:
         self._isolation, self._allowance = isolation, allowance or Allowance()
         self._number = number
         self._open = ExitStack()
-        self._folder = Path(self._open.enter_context(TemporaryDirectory(prefix="course-grade-")))
+        _sweep()
+        folder = TemporaryDirectory(prefix=f"{PREFIX}{os.getpid()}-")
+        self._folder = Path(self._open.enter_context(folder))
         self._folder.chmod(0o755)  # another user reads the library in it
         self._servers: dict[frozenset[str], Server] = {}
 
@@ -199,6 +205,25 @@ class Judge:
     def _stop(self, hidden: frozenset[str]) -> None:
         if hidden in self._servers:
             self._servers[hidden].stop()
+
+
+def _sweep() -> None:
+    """Remove the folders of judges that were killed."""
+    for folder in Path(gettempdir()).glob(f"{PREFIX}*"):
+        number = folder.name.removeprefix(PREFIX).partition("-")[0]
+        own = folder.is_dir() and folder.lstat().st_uid == os.getuid()
+        if own and number.isdecimal() and not _is_alive(int(number)):
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def _is_alive(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        return True
+    return True
 
 
 def _answer(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from nbformat import NotebookNode
@@ -24,14 +24,33 @@ class RestoreCells(NbGraderPreprocessor):  # type: ignore[misc]
         self, nb: NotebookNode, resources: dict[str, Any]
     ) -> tuple[NotebookNode, dict[str, Any]]:
         """Restore the cells of one notebook."""
-        given = read_given(resources)
-        names = list(given)
-        for index, (name, cell) in enumerate(given.items()):
-            needed = cell.flags["locked"] or cell.flags["grade"]
-            if needed and _position(nb, name) is None:
-                self.log.warning("Putting back the cell '%s', which was missing", name)
-                nb.cells.insert(_place(nb, names, index), _cell(cell))
+        for name in restore_cells(nb, read_given(resources)):
+            self.log.warning("Putting back the cell '%s', which was missing", name)
         return nb, resources
+
+
+def restore_cells(nb: NotebookNode, given: Mapping[str, GivenCell]) -> list[str]:
+    """Put missing locked and graded cells back.
+
+    Parameters
+    ----------
+    nb : nbformat.NotebookNode
+        A labelled submission; changed in place.
+    given : mapping of str to GivenCell
+        From `read_given`.
+
+    Returns
+    -------
+    list of str
+        The labels of the cells that were missing.
+    """
+    missing, names = [], list(given)
+    for index, (name, cell) in enumerate(given.items()):
+        needed = cell.flags["locked"] or cell.flags["grade"]
+        if needed and _position(nb, name) is None:
+            missing.append(name)
+            nb.cells.insert(_place(nb, names, index), _cell(cell))
+    return missing
 
 
 def _position(nb: NotebookNode, grade_id: str) -> int | None:

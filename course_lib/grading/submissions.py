@@ -60,13 +60,13 @@ def read_notebook(path: Path) -> NotebookNode:
 
 
 def _parsed(content: bytes) -> NotebookNode:
-    tree = json.loads(content.decode("utf-8-sig"))
+    text = content.decode("utf-8-sig")
+    tree = json.loads(text)
     if not isinstance(tree, dict) or "nbformat" not in tree:
         raise UnreadableError(
             "The file is no Jupyter notebook. Please hand in the .ipynb file that you were given."
         )
-    notebook = nbformat.from_dict(tree)
-    notebook = nbformat.convert(notebook, 4)
+    notebook = nbformat.convert(nbformat.reader.reads(text), 4)
     notebook.nbformat_minor = max(int(notebook.get("nbformat_minor", 0)), 5)
     _, notebook = nbformat.validator.normalize(notebook, strip_invalid_metadata=True)
     nbformat.validate(notebook)

@@ -1,0 +1,178 @@
+"""The one writer: puts what came of a submission into nbgrader's gradebook and folders.
+
+Each submission is one transaction. The order makes a kill at any moment harmless: first the graded
+notebooks lie beside their place, then the gradebook has the scores, then the record is written,
+and only then the notebooks take their place. What is not in its place is graded again.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from nbgrader.api import Gradebook
+from nbgrader.preprocessors import AssignLatePenalties
+from sqlalchemy.exc import SAWarning
+
+from course_lib.grading.assignment import Assignment, fingerprint
+from course_lib.grading.one import Graded, growing_folder
+
+NO_RESPONSE = "No response."
+
+
+class Recorder:
+    """Writes gradings of one assignment down."""
+
+    def __init__(self, assignment: Assignment) -> None:
+        self._assignment = assignment
+        self._gradebook = Gradebook(assignment.db_url, assignment.course_id)
+        self._penalties = AssignLatePenalties(config=assignment.config)
+        self._penalties.init_plugin()
+
+    def __enter__(self) -> Recorder:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self._gradebook.close()
+
+    def save(self, graded: Graded) -> None:
+        """Write one grading down, for good.
+
+        Parameters
+        ----------
+        graded : Graded
+            What came of a submission. If it could not be graded, earlier scores stay.
+        """
+        before = read_record(self._assignment, graded.student)
+        same = before.get("fingerprint") == graded.fingerprint
+        with _transaction(self._gradebook):
+            submission = self._submission(graded.student)
+            if not graded.trouble:
+                for notebook in submission.notebooks:
+                    self._score(notebook, graded, same)
+                self._gradebook.db.flush()
+                self._penalize(submission)
+        _write(self._assignment.record(graded.student), graded.as_json())
+        if not graded.trouble:
+            self._put_in_place(graded.student)
+
+    def _submission(self, student: str) -> Any:
+        """Return nbgrader's entry of a submission; nbgrader makes it where there is none."""
+        self._gradebook.update_or_create_student(student)
+        stamp = _timestamp(self._assignment.submitted(student))
+        known = {"timestamp": stamp} if stamp else {}
+        name = self._assignment.name
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", SAWarning)  # nbgrader's own, and harmless
+            return self._gradebook.update_or_create_submission(name, student, **known)
+
+    def _score(self, notebook: Any, graded: Graded, same: bool) -> None:
+        """Enter automatic scores; what a person entered stays."""
+        scores = graded.grades.get(notebook.name, {})
+        for grade in notebook.grades:
+            if grade.name not in scores:
+                continue
+            score = scores[grade.name]
+            unchanged = same and grade.auto_score == score
+            grade.auto_score = score
+            if not (unchanged and grade.manual_score is not None):
+                grade.needs_manual_grade = grade.manual_score is not None or score is None
+        responses = graded.responses.get(notebook.name, {})
+        for comment in notebook.comments:
+            if comment.name in responses:
+                comment.auto_comment = None if responses[comment.name] else NO_RESPONSE
+
+    def _penalize(self, submission: Any) -> None:
+        """Let nbgrader's plug-in for late submissions set its penalty."""
+        late = submission.total_seconds_late
+        for notebook in submission.notebooks:
+            self._gradebook.db.refresh(notebook)
+            notebook.late_submission_penalty = None
+            if late > 0:
+                plugin = self._penalties.plugin_inst
+                student = submission.student_id
+                penalty = plugin.late_submission_penalty(student, notebook.score, late)
+                if penalty is not None:
+                    checked = self._penalties._check_late_penalty(notebook, penalty)
+                    notebook.late_submission_penalty = checked
+
+    def _put_in_place(self, student: str) -> None:
+        final, growing = (
+            self._assignment.autograded(student),
+            growing_folder(self._assignment, student),
+        )
+        for path in growing.rglob("*"):
+            if path.is_file():
+                path.chmod(0o444)
+        old = final.with_name(f".{final.name}.old")
+        shutil.rmtree(old, ignore_errors=True)
+        if final.exists():
+            final.rename(old)
+        growing.rename(final)
+        shutil.rmtree(old, ignore_errors=True)
+
+
+@contextmanager
+def _transaction(gradebook: Any) -> Iterator[None]:
+    """Make one transaction of what nbgrader's functions would commit one by one."""
+    session = gradebook.db()
+    session.commit = session.flush
+    try:
+        yield
+    except BaseException:
+        del session.commit
+        session.rollback()
+        raise
+    del session.commit
+    session.commit()
+
+
+def _timestamp(folder: Path) -> str:
+    path = folder / "timestamp.txt"
+    if path.is_symlink() or not path.is_file():
+        return ""
+    return path.read_text(encoding="utf-8", errors="replace").strip()[:100]
+
+
+def _write(path: Path, text: str) -> None:
+    """Write a file so that it is there whole, or not at all."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    part = path.with_name(f".{path.name}.part")
+    part.write_text(text, encoding="utf-8")
+    os.replace(part, path)
+
+
+def read_record(assignment: Assignment, student: str) -> dict[str, Any]:
+    """Return what is known of a student's last grading; nothing if it is not to be read."""
+    path = assignment.record(student)
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def is_graded(assignment: Assignment, student: str) -> bool:
+    """Whether this version of a submission was graded, by this command or by nbgrader's own."""
+    record, final = read_record(assignment, student), assignment.autograded(student)
+    folder = assignment.submitted(student)
+    if growing_folder(assignment, student).exists():  # what was graded did not take its place
+        return False
+    now = fingerprint(folder, list(assignment.notebooks))
+    if record.get("fingerprint") == now:
+        return not record.get("trouble") and final.is_dir()
+    if record or not final.is_dir():
+        return False
+    return _timestamp(folder) == _timestamp(final)  # graded by nbgrader autograde

@@ -1,0 +1,178 @@
+"""Grade many submissions at once on this machine: processes that judge, none of which writes.
+
+A worker that is killed, by the kernel or by a person, costs nothing: what it was at is graded
+again by another. Only when that ends a worker again, it is set aside.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+import time
+from collections import deque
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from multiprocessing import connection, get_context
+from typing import Any
+
+from course_lib.grading.assignment import Assignment, fingerprint
+from course_lib.grading.isolation import Isolation
+from course_lib.grading.one import Graded, grade_one
+from course_lib.grading.outside import Judge
+from course_lib.sandbox import walls
+from course_lib.sandbox.limits import Allowance
+
+#: How often a submission is tried whose grading ended a worker.
+TRIES = 2
+_CONTEXT = get_context("fork")
+SET_ASIDE = "Grading this notebook ended the grader itself, twice. A person must look at it."
+
+
+@dataclass(frozen=True)
+class Manner:
+    """How submissions are graded: behind which walls, and what they may use."""
+
+    isolation: Isolation
+    allowance: Allowance
+
+
+@dataclass
+class _Worker:
+    process: Any
+    line: connection.Connection[Any, Any]
+    student: str = ""
+
+
+def grade_all(
+    assignment: Assignment, students: Sequence[str], manner: Manner, workers: int
+) -> Iterator[Graded]:
+    """Grade submissions, several at a time; yield each as soon as it is done.
+
+    Parameters
+    ----------
+    assignment : Assignment
+        What was asked.
+    students : sequence of str
+        Whose submissions.
+    manner : Manner
+        How they are run.
+    workers : int
+        How many at a time.
+
+    Yields
+    ------
+    Graded
+        In the order in which they are done.
+    """
+    waiting = deque(students)
+    tries = dict.fromkeys(students, 0)
+    team = [_start(assignment, manner, n) for n in range(min(workers, len(students)))]
+    try:
+        for worker in team:
+            _give(worker, waiting, tries)
+        while any(worker.student for worker in team):
+            ready = connection.wait([w.line for w in team if w.student])
+            for number, worker in enumerate(team):
+                if worker.line not in ready:
+                    continue
+                student = worker.student
+                graded = _take(worker)
+                if graded is None:  # it was killed: go on with a new one
+                    team[number] = worker = _start(assignment, manner, number)
+                    if tries[student] < TRIES:
+                        waiting.append(student)
+                    else:
+                        graded = _set_aside(assignment, student)
+                _give(worker, waiting, tries)
+                if graded is not None:
+                    yield graded
+            _wake(team, waiting, tries)
+    finally:
+        for worker in team:
+            _stop(worker)
+
+
+def _wake(team: list[_Worker], waiting: deque[str], tries: dict[str, int]) -> None:
+    """Give idle workers what came back from one that was killed."""
+    for worker in team:
+        if not worker.student:
+            _give(worker, waiting, tries)
+
+
+def _start(assignment: Assignment, manner: Manner, number: int) -> _Worker:
+    mine, its = _CONTEXT.Pipe()
+    process = _CONTEXT.Process(
+        target=_work, args=(its, mine, assignment, manner, number), daemon=True
+    )
+    process.start()
+    its.close()
+    return _Worker(process, mine)
+
+
+def _work(
+    line: connection.Connection[Any, Any],
+    other_end: connection.Connection[Any, Any],
+    assignment: Assignment,
+    manner: Manner,
+    number: int,
+) -> None:
+    """Grade what comes until nothing more comes."""
+    other_end.close()
+    if sys.platform.startswith("linux"):
+        walls.die_with_parent()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the one who asked
+    with Judge(manner.isolation, manner.allowance, number) as judge:
+        while True:
+            try:
+                student = line.recv()
+            except (EOFError, OSError):
+                return
+            if not student:
+                return
+            try:
+                graded = grade_one(assignment, student, judge)
+            except Exception as error:  # whatever one submission does, it costs itself only
+                reason = f"{type(error).__name__}: {error}"[:500]
+                mark = fingerprint(assignment.submitted(student), list(assignment.notebooks))
+                graded = Graded(student, mark, _unforeseen(reason), notes=(reason,))
+            line.send(graded)
+
+
+def _unforeseen(reason: str) -> str:
+    return f"The notebook could not be graded ({reason}). A person must look at it."
+
+
+def _give(worker: _Worker, waiting: deque[str], tries: dict[str, int]) -> None:
+    worker.student = waiting.popleft() if waiting else ""
+    if worker.student:
+        tries[worker.student] += 1
+        with suppress(OSError):  # if it is gone, waiting for it says so at once
+            worker.line.send(worker.student)
+
+
+def _take(worker: _Worker) -> Graded | None:
+    try:
+        graded: Graded = worker.line.recv()
+    except (EOFError, OSError):
+        worker.line.close()
+        worker.process.join(5)
+        return None
+    return graded
+
+
+def _set_aside(assignment: Assignment, student: str) -> Graded:
+    mark = fingerprint(assignment.submitted(student), list(assignment.notebooks))
+    return Graded(student, mark, SET_ASIDE)
+
+
+def _stop(worker: _Worker) -> None:
+    with suppress(OSError):
+        worker.line.send("")
+    worker.line.close()
+    deadline = time.monotonic() + 5
+    while worker.process.is_alive() and time.monotonic() < deadline:
+        worker.process.join(0.05)
+    if worker.process.is_alive():
+        worker.process.kill()
+        worker.process.join()
