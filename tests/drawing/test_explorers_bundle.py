@@ -148,6 +148,17 @@ def test_expected_errors_are_how_adjustments_scatter():
     )
 
 
+def test_expected_errors_are_the_precision_of_an_adjustment():
+    free = placement.free_block()
+    block, seen = free.block, placement._all_seen(free.block)
+    rng, control = np.random.default_rng(3), np.array([2, 13, 75, 152, 161])
+    pixels = seen.pixels + placement.PIXEL * rng.standard_normal(seen.pixels.shape)
+    noisy = Observations(seen.cameras, seen.points, pixels, placement.PIXEL)
+    fit = bundle_adjust(block, noisy, Control(control, block.points[control], SURVEY))
+    sigma = fit.precision.point_sigma[:, 2] / fit.sigma0
+    np.testing.assert_allclose(placement.height_errors(tuple(control), False), sigma, rtol=0.01)
+
+
 def test_each_point_of_the_grid_is_in_two_pictures():
     seen = placement._all_seen(placement.free_block().block)
     assert np.bincount(seen.points, minlength=165).min() >= 2
