@@ -6,10 +6,10 @@ from course_lib.exercises.triangulation.depth import (
     DEPTH_UNCERTAINTY,
     EXPLAIN_TWICE_AS_FAR,
 )
+from course_lib.exercises.triangulation.planes import INTERSECT_RAY_PLANE
 from course_lib.exercises.triangulation.points import REFINE_POINT, TRIANGULATE_LINEAR
 from course_lib.exercises.triangulation.rays import (
     CLOSEST_POINTS_ON_RAYS,
-    INTERSECT_RAY_PLANE,
     TRIANGULATE_MIDPOINT,
 )
 

@@ -108,7 +108,16 @@ DEPTH_UNCERTAINTY = Exercise(
         Misconception(
             wrong.linear_in_depth,
             "Your uncertainty doubles with the distance. Which power of d is in the derivative?",
-            also=[wrong.linear_without_baseline, wrong.linear_without_f, wrong.linear_alone],
+            also=[
+                wrong.linear_without_baseline,
+                wrong.linear_without_f,
+                wrong.linear_alone,
+                wrong.twice_for_squared,
+            ],
+        ),
+        Misconception(
+            wrong.divided_by_sigma,
+            "A disparity that is measured badly: does your depth become better then?",
         ),
         Misconception(
             wrong.cubed,

@@ -136,6 +136,14 @@ def linear_without_f(Z, f, baseline, sigma):
     return Z * sigma / baseline
 
 
+def twice_for_squared(Z, f, baseline, sigma):
+    return Z * 2 * sigma / (f * baseline)
+
+
+def divided_by_sigma(Z, f, baseline, sigma):
+    return Z**2 / (f * baseline * sigma)
+
+
 def linear_alone(Z, f, baseline, sigma):
     return Z * sigma
 

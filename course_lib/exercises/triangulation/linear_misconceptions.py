@@ -127,13 +127,58 @@ def three_rows_a_camera(pixels, cameras):
 
 
 def rows_in_pairs(pixels, cameras):
-    X = np.linalg.svd(rows_of(pixels, cameras).reshape(-1, 2, 4))[2][-1]
-    return X[:3] / X[3]
+    return rows_in_pairs_of(rows_of(pixels, cameras))
 
 
 def rows_in_pairs_and_last_of_each(pixels, cameras):
     X = np.linalg.svd(rows_of(pixels, cameras).reshape(-1, 2, 4))[2][:, -1]
     return X[:3] / X[3]
+
+
+def rows_in_pairs_with_other_signs(pixels, cameras):
+    return rows_in_pairs_of(-rows_of(pixels, cameras))
+
+
+def rows_in_pairs_of(rows: Any) -> Any:
+    X = np.linalg.svd(rows.reshape(-1, 2, 4))[2][-1]
+    return X[:3] / X[3]
+
+
+def whole_factor(pixels, cameras):
+    Vt = np.linalg.svd(rows_of(pixels, cameras))[2]
+    return Vt[:3] / Vt[3]
+
+
+def whole_factor_with_other_signs(pixels, cameras):
+    Vt = np.linalg.svd(-rows_of(pixels, cameras))[2]
+    return Vt[:3] / Vt[3]
+
+
+def first_row_in_both(pixels, cameras):
+    rows = [
+        row
+        for (u, v), P in zip(pixels, cameras, strict=True)
+        for row in (u * P[2] - P[0], v * P[2] - P[0])
+    ]
+    return null_point(np.array(rows))
+
+
+def u_in_both(pixels, cameras):
+    return null_point(rows_of(pixels[:, [0, 0]], cameras))
+
+
+def one_pixel_for_all(pixels, cameras):
+    return null_point(rows_of(np.array([pixels[0]] * len(pixels)), cameras))
+
+
+def zero_for_the_solution(pixels, cameras):
+    rows = rows_of(pixels, cameras)
+    return np.linalg.lstsq(rows, np.zeros(len(rows)), rcond=None)[0][:3]
+
+
+def sign_of_the_last_column(pixels, cameras):
+    rows = rows_of(pixels, cameras)
+    return np.linalg.lstsq(rows[:, :3], rows[:, 3], rcond=None)[0]
 
 
 def both_equations_in_one_row(pixels, cameras):

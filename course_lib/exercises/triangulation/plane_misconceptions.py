@@ -127,6 +127,24 @@ def first_ray_only(origin, directions, plane):
     return origin + lengths_to(origin, directions, plane)[0] * directions[0]
 
 
+def shortened_for_the_length_only(origin, directions, plane):
+    short = directions / np.linalg.norm(directions, axis=1, keepdims=True)
+    return in_front(origin, directions, lengths_to(origin, short, plane))
+
+
+def nan_in_one_column(origin, directions, plane):
+    lengths = lengths_to(origin, directions, plane)
+    points = origin + lengths[:, None] * directions
+    points[lengths < 0, 0] = np.nan
+    return points
+
+
+def nan_for_all_rays(origin, directions, plane):
+    lengths = lengths_to(origin, directions, plane)
+    points = origin + lengths[:, None] * directions
+    return points * np.nan if (lengths < 0).any() else points
+
+
 def lengths_only(origin, directions, plane):
     return lengths_to(origin, directions, plane)
 

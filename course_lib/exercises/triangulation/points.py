@@ -6,7 +6,6 @@ from course_lib.exercises.triangulation import inputs, plain
 from course_lib.exercises.triangulation import linear_misconceptions as wrong
 from course_lib.exercises.triangulation import refinement_misconceptions as step
 from course_lib.judging import Close, Exercise, Misconception, Part
-from course_lib.judging.matching import SameShape
 
 TRIANGULATE_LINEAR = Exercise(
     "triangulation",
@@ -84,13 +83,31 @@ TRIANGULATE_LINEAR = Exercise(
         ),
         Misconception(
             wrong.one_matrix_for_all,
-            "Every pixel has a camera of its own. Which matrix does your loop use?",
+            "Every pixel has a camera of its own. Which pixel and which matrix does your loop use?",
+            also=[wrong.one_pixel_for_all],
         ),
         Misconception(
             wrong.rows_in_pairs,
             "Print the shape of your table. Has it a row for each equation, and four columns?",
-            also=[wrong.rows_in_pairs_and_last_of_each],
-            compare=SameShape(),
+            also=[wrong.rows_in_pairs_and_last_of_each, wrong.rows_in_pairs_with_other_signs],
+        ),
+        Misconception(
+            wrong.whole_factor,
+            "You divide a whole table by one of its rows. Which single row of it is the solution?",
+            also=[wrong.whole_factor_with_other_signs],
+        ),
+        Misconception(
+            wrong.first_row_in_both,
+            "The second equation is that of v. Which two letters of the first change in it?",
+            also=[wrong.u_in_both],
+        ),
+        Misconception(
+            wrong.zero_for_the_solution,
+            "Zeros fulfil these equations exactly. What keeps h from being zero?",
+        ),
+        Misconception(
+            wrong.sign_of_the_last_column,
+            "You take the last column to the other side of the equations. With which sign?",
         ),
         Misconception(
             wrong.both_equations_in_one_row,
@@ -159,6 +176,18 @@ REFINE_POINT = Exercise(
         Misconception(
             step.same_pixel_in_both_rows,
             "The first row belongs to u. Which pixel coordinate belongs to the second row?",
+        ),
+        Misconception(
+            step.depth_in_the_world,
+            "c is the depth before this camera. Is that the Z of the world?",
+        ),
+        Misconception(
+            step.columns_for_rows,
+            "Are m1, m2, m3 rows of P, or its columns?",
+        ),
+        Misconception(
+            step.camera_after_camera,
+            "All cameras are to agree on one step. Do you solve once, or once for each of them?",
         ),
         Misconception(
             step.first_row_for_v,

@@ -1,9 +1,9 @@
-"""Exercises of chapter 09 on rays: two that nearly meet, their midpoint, and a plane."""
+"""Exercises of chapter 09 on two rays: where they come closest, and the point halfway."""
 
 from __future__ import annotations
 
 from course_lib.exercises.triangulation import inputs, plain
-from course_lib.exercises.triangulation import plane_misconceptions as plane
+from course_lib.exercises.triangulation import midpoint_misconceptions as middle
 from course_lib.exercises.triangulation import ray_misconceptions as wrong
 from course_lib.judging import Exercise, Misconception, Part
 
@@ -58,6 +58,10 @@ CLOSEST_POINTS_ON_RAYS = Exercise(
             "Your first point is right. How long is the n with which μ was found: is it 1?",
         ),
         Misconception(
+            wrong.mu_for_the_second_length,
+            "In which order are your columns, and in which order do the unknowns come out?",
+        ),
+        Misconception(
             wrong.products_for_the_normal,
             "Is your third direction perpendicular to both rays? Which product of NumPy gives it?",
         ),
@@ -109,188 +113,89 @@ TRIANGULATE_MIDPOINT = Exercise(
     ),
     misconceptions=[
         Misconception(
-            wrong.M_not_inverted,
+            middle.M_not_inverted,
             "M makes pixels of directions. Which way do you have to go here?",
+            also=[middle.pixel_for_the_direction],
         ),
         Misconception(
-            wrong.M_transposed,
+            middle.M_transposed,
             "M⁻¹ works on a column here. On which side of the pixel does it stand?",
         ),
         Misconception(
-            wrong.transpose_for_inverse,
+            middle.transpose_for_inverse,
             "Only of a rotation the transpose is the inverse. Is M a rotation?",
-            also=[wrong.transpose_in_the_centre, wrong.transpose_in_both],
+            also=[middle.transpose_in_the_centre, middle.transpose_in_both],
         ),
         Misconception(
-            wrong.one_in_front,
+            middle.one_in_front,
             "In which place of the pixel's three numbers is the 1?",
         ),
         Misconception(
-            wrong.third_row_for_p,
+            middle.third_row_for_p,
             "P has three rows and four columns. Is p a row or a column?",
         ),
         Misconception(
-            wrong.arguments_out_of_order,
+            middle.arguments_out_of_order,
             "In which order does the helper want its four arguments: are the origins side by side?",
         ),
         Misconception(
-            wrong.star_in_the_direction,
+            middle.star_in_the_direction,
             "Print the shape of your directions: are they three numbers? Which sign multiplies a "
             "matrix by a vector?",
         ),
         Misconception(
-            wrong.third_number_zero,
+            middle.third_number_zero,
             "A pixel has two numbers and M⁻¹ three columns. Which number do you append?",
         ),
         Misconception(
-            wrong.last_column_for_the_centre,
+            middle.last_column_for_the_centre,
             "p is not yet the place of the camera. What does P make of its own centre?",
-            also=[wrong.minus_last_column],
+            also=[middle.minus_last_column],
         ),
         Misconception(
-            wrong.sign_of_the_centre,
+            middle.sign_of_the_centre,
             "Multiply P with your centre and a 1: are there three zeros?",
         ),
         Misconception(
-            wrong.direction_taken_for_a_point,
+            middle.direction_taken_for_a_point,
             "You subtract the centre from M⁻¹ times the pixel. Is that a point, or a direction?",
         ),
         Misconception(
-            wrong.pixels_swapped,
+            middle.pixels_swapped,
             "Which camera took pixel1, and which one pixel2?",
+            also=[middle.one_pixel_for_both],
         ),
         Misconception(
-            wrong.first_camera_for_both,
+            middle.first_camera_for_both,
             "Both directions come from the same M. Which camera saw the second pixel?",
         ),
         Misconception(
-            wrong.point_on_the_first_ray,
+            middle.point_on_the_first_ray,
             "Right where the rays meet. Where they miss, your point lies on which of them?",
-            also=[wrong.point_on_the_second_ray],
+            also=[middle.point_on_the_second_ray],
         ),
         Misconception(
-            wrong.half_of_the_difference,
+            middle.half_of_the_difference,
             "This is half of the way between the points. From where do you have to go it?",
-            also=[wrong.half_of_the_other_difference],
+            also=[middle.half_of_the_other_difference],
         ),
         Misconception(
-            wrong.sum_not_halved,
+            middle.sum_not_halved,
             "The middle of 2 and 4 is 3. What do you get from 2 and 4?",
-            also=[wrong.only_one_halved],
+            also=[middle.only_one_halved],
         ),
         Misconception(
-            wrong.both_points,
+            middle.both_points,
             "These are the two closest points. Which single point is asked for?",
         ),
         Misconception(
-            wrong.mean_of_all_numbers,
+            middle.mean_of_all_numbers,
             "A mean of X, Y and Z together is no place. Of which numbers is each mean taken?",
-            also=[wrong.mean_of_each_point],
+            also=[middle.mean_of_each_point],
         ),
         Misconception(
-            wrong.middle_of_the_centres,
+            middle.middle_of_the_centres,
             "This lies between the cameras. Between which two points should it lie?",
-        ),
-    ],
-)
-
-INTERSECT_RAY_PLANE = Exercise(
-    "triangulation",
-    plain.intersect_ray_plane,
-    points=7,
-    parts={
-        "light before the camera": Part(inputs.light_before_the_camera, cases=1, weight=4),
-        "some rays go away from the plane": Part(inputs.some_rays_go_away, cases=1, weight=3),
-    },
-    forbidden=("course_lib.triangulation.rays.intersect_ray_plane",),
-    misconceptions=[
-        Misconception(
-            plane.sign_of_the_length,
-            "Put your length back into the plane's equation. Is it zero, or does a sign differ?",
-            also=[plane.sign_without_nan],
-        ),
-        Misconception(
-            plane.sign_of_d,
-            "When d goes to the other side of the equation, together with the origin, which signs "
-            "do both have?",
-            also=[
-                plane.sign_of_d_without_nan,
-                plane.sign_of_the_origin,
-                plane.sign_of_the_origin_without_nan,
-            ],
-        ),
-        Misconception(
-            plane.d_left_out,
-            "Does your plane pass through the point (0, 0, 0)? Which number says where it is?",
-            also=[plane.d_left_out_without_nan],
-        ),
-        Misconception(
-            plane.begun_at_zero,
-            "The rays begin at the camera. Is that the point (0, 0, 0) of the world?",
-            also=[plane.begun_at_zero_without_nan],
-        ),
-        Misconception(
-            plane.length_from_zero,
-            "How far it is to the plane depends on where the ray begins. Does your length?",
-            also=[plane.length_from_zero_without_nan],
-        ),
-        Misconception(
-            plane.origin_not_added,
-            "You have the way from the camera to the plane. Where does it begin?",
-            also=[plane.origin_not_added_without_nan],
-        ),
-        Misconception(
-            plane.behind_let_pass,
-            "Right for rays that meet the plane. What does a negative length mean?",
-        ),
-        Misconception(
-            plane.sign_of_the_length_lost,
-            "Right for rays that meet the plane. Do the others meet it in the point that you give?",
-        ),
-        Misconception(
-            plane.rows_left_out,
-            "How many rays came in, and how many rows go out?",
-        ),
-        Misconception(
-            plane.zeros_for_nan,
-            "A row of zeros is a place in the world. What marks a row that has no answer?",
-        ),
-        Misconception(
-            plane.nan_for_those_in_front,
-            "Which rays go away from the plane: those with a positive length, or the others?",
-        ),
-        Misconception(
-            plane.sign_of_the_slope,
-            "A camera can be on either side of the plane. What is negative for rays that go away: "
-            "the slope, or the length?",
-            also=[plane.other_sign_of_the_slope],
-        ),
-        Misconception(
-            plane.a_length_for_each_axis,
-            "Print the shape of your lengths. Is there one for each ray?",
-            also=[plane.summed_over_the_rays],
-        ),
-        Misconception(
-            plane.first_ray_only,
-            "There is one point only. How many rays came in, and where is your return?",
-        ),
-        Misconception(
-            plane.lengths_only,
-            "These are lengths along the rays. Where in space do they lead?",
-        ),
-        Misconception(
-            plane.lengths_not_in_a_column,
-            "Each length belongs to one row of directions. Does it stand in a column?",
-        ),
-        Misconception(
-            plane.unit_normal_but_old_d,
-            "You shorten a, b and c. What becomes of the equation if d stays as it was?",
-            also=[plane.unit_normal_without_nan],
-        ),
-        Misconception(
-            plane.not_divided_by_the_slope,
-            "A ray that grazes the plane has a long way to it. Do all of yours go equally far?",
-            also=[plane.not_divided_without_nan],
         ),
     ],
 )

@@ -81,6 +81,30 @@ def same_pixel_in_both_rows(point, pixels, cameras):
     )
 
 
+def depth_in_the_world(point, pixels, cameras):
+    return with_derivatives(
+        point,
+        pixels,
+        cameras,
+        lambda P, x, _, __: (P[:2, :3] - x[:, None] * P[2, :3]) / point[2],
+    )
+
+
+def columns_for_rows(point, pixels, cameras):
+    return with_derivatives(
+        point,
+        pixels,
+        cameras,
+        lambda P, x, _, c: (P[:, :2].T - x[:, None] * P[:, 2]) / c,
+    )
+
+
+def camera_after_camera(point, pixels, cameras):
+    for i in range(len(cameras)):
+        point = point + step(*linearised(point, pixels[i : i + 1], cameras[i : i + 1]))
+    return point
+
+
 def first_row_for_v(point, pixels, cameras):
     return with_derivatives(
         point, pixels, cameras, lambda P, x, _, c: (P[0, :3] - x[:, None] * P[2, :3]) / c
