@@ -13,6 +13,7 @@ from course_lib.reconstruction.growth import Growth
 from course_lib.reconstruction.start import start_pairs
 from course_lib.tie_points import tracks
 from course_lib.transforms import rotation_from_vector
+from data_generators import blocks
 from data_generators.block_pictures import flight_pictures, turntable_pictures
 from data_generators.blocks import flight, turntable
 
@@ -113,6 +114,15 @@ def test_all_around_an_object():
     assert np.sqrt((points**2).mean()) < 1e-3
     assert np.sqrt((centres**2).mean()) < 1e-2
     assert not (known.wrong & (found.fates == "used")).any()
+
+
+def test_flat_ground(monkeypatch):
+    """Two pictures of a plane begin if there are no better ones."""
+    monkeypatch.setattr(blocks, "_hills", lambda plan, height: np.zeros(len(plan)))
+    known = blocks.flight(rng(4), 2, 4, 300, wrong=0.1)
+    found = reconstruct(known.observations, known.truth.K[0], rng())
+    assert len(found.cameras) == 8
+    assert np.quantile(errors(found, known)[0], 0.95) < 5e-3
 
 
 def test_exact_pixels_give_the_truth():
