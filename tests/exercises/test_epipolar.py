@@ -151,3 +151,12 @@ def test_examples(module):
     results = doctest.testmod(module)
     assert results.attempted >= 9
     assert results.failed == 0
+
+
+@pytest.mark.parametrize("draw", [inputs.small_lines, inputs.small_errors])
+def test_whole_numbers_have_a_line_for_every_point(draw):
+    """By chance a line of small whole numbers would be the one at infinity."""
+    for seed in range(300):
+        posed = draw(np.random.default_rng(seed))
+        points = posed.get("points", posed.get("points1"))
+        assert np.isfinite(plain.epipolar_lines(points, posed["F"])).all()

@@ -126,9 +126,12 @@ def small_matrix(rng: Generator) -> Floats:
 
 
 def small_lines(rng: Generator) -> Inputs:
-    """Draw pixels and a matrix that can be followed by hand."""
-    points = rng.permutation(np.arange(1.0, 9))[:4].reshape(2, 2)
-    return {"points": points, "F": small_matrix(rng)}
+    """Draw pixels and a matrix that can be followed by hand; no number of a line is zero."""
+    while True:
+        points = rng.permutation(np.arange(1.0, 9))[:4].reshape(2, 2)
+        F = small_matrix(rng)
+        if np.all(np.column_stack([points, [1, 1]]) @ F.T):
+            return {"points": points, "F": F}
 
 
 def lines_of_pixels(rng: Generator) -> Inputs:
@@ -179,8 +182,13 @@ def pixels_and_lines(rng: Generator) -> Inputs:
 
 
 def small_errors(rng: Generator) -> Inputs:
-    points = rng.permutation(np.arange(1.0, 9)).reshape(2, 2, 2)
-    return {"points1": points[0], "points2": points[1], "F": small_matrix(rng)}
+    """Draw pairs and a matrix that can be followed by hand; no number of a line is zero."""
+    while True:
+        points1, points2 = rng.permutation(np.arange(1.0, 9)).reshape(2, 2, 2)
+        x1, x2 = (np.column_stack([points, [1, 1]]) for points in (points1, points2))
+        F = small_matrix(rng)
+        if np.all(x1 @ F.T) and np.all(x2 @ F) and np.all(((x2 @ F) * x1).sum(axis=1)):
+            return {"points1": points1, "points2": points2, "F": F}
 
 
 def errors_of_pixels(rng: Generator) -> Inputs:
