@@ -4,18 +4,21 @@ import cv2
 import numpy as np
 import pytest
 from real_data import fetched
+from two_views import K, scene
 
 from course_lib.bundle import Observations
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.homogeneous import apply_homography
 from course_lib.tie_points import (
     Features,
+    agreeing_matches,
     find_features,
     join_matches,
     match_features,
     tie_points,
     tracks,
 )
+from course_lib.transforms import rotation_from_vector
 
 
 def features(*values, points=None):
@@ -142,6 +145,22 @@ def test_a_wall_from_another_side():
     assert np.median(away[away < 3]) < 1
     assert shares[1.0] < 0.5
     assert shares[0.8] > 0.65
+
+
+def test_pairs_that_agree_are_right():
+    """Four of ten pairs are wrong; pictures with too few right ones, or no baseline, drop out."""
+    s = scene(0, count=200, wrong=0.4)
+    each = [features(*range(200), points=points) for points in (s.points1, s.points2)]
+    H = K @ rotation_from_vector([0, 0.05, 0]) @ np.linalg.inv(K)
+    turned = apply_homography(s.points1, H) + 0.3 * np.random.default_rng(1).normal(size=(200, 2))
+    each.append(features(*range(200), points=turned))
+    every = np.stack([np.arange(200)] * 2, axis=1)
+    matches = {(0, 1): every, (1, 0): every[~s.right], (0, 2): every}
+    kept = agreeing_matches(each, matches, K, np.random.default_rng(0))
+    assert list(kept) == [(0, 1)]
+    right = s.right[kept[0, 1][:, 0]]
+    assert right.sum() > 0.95 * s.right.sum()
+    assert (~right).sum() < 10
 
 
 def test_tracks_join_pairs():
