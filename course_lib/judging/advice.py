@@ -228,6 +228,12 @@ ADVICE = (
         "its rows; `p[..., 0]` is the first number of each. With `x, *_ =` the first of several "
         "values gets a name.",
     ),
+    (
+        "ValueError",
+        "Input must be 1- or 2-d",
+        "`np.diag` takes one matrix, and this is a list of them. Take them one by one, or multiply "
+        "with `np.eye`, which reaches all of them.",
+    ),
     ("RecursionError", "", "The function calls itself without end."),
 )
 

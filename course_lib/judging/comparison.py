@@ -154,7 +154,9 @@ class Close:
     def _elements(self, got: Any, expected: tuple[Any, ...]) -> Mismatch | None:
         several = isinstance(got, tuple | list) or (isinstance(got, np.ndarray) and got.ndim > 0)
         if not several or len(got) != len(expected):
-            message = f"The answer is {describe(got)}; {len(expected)} values were expected."
+            missing = " Is a `return` missing?" if got is None else ""
+            wanted = f"{len(expected)} values were expected.{missing}"
+            message = f"The answer is {describe(got)}; {wanted}"
             return Mismatch("type", message)
         names = (f"Value {i} of {len(expected)}" for i in range(1, len(expected) + 1))
         return self._first_wrong(zip(names, got, expected, strict=True))

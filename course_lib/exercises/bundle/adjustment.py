@@ -5,7 +5,7 @@ from __future__ import annotations
 from course_lib.exercises.bundle import adjustment_misconceptions as wrong
 from course_lib.exercises.bundle import inputs, plain
 from course_lib.exercises.bundle import step_misconceptions as step
-from course_lib.judging import Close, Exercise, Misconception, Part
+from course_lib.judging import Exercise, Misconception, Part
 
 SOLVE_NORMAL_BLOCK = Exercise(
     "bundle",
@@ -59,6 +59,16 @@ SOLVE_NORMAL_BLOCK = Exercise(
             "The step of the cameras is right. Do your points know that the cameras have moved?",
         ),
         Misconception(
+            step.points_not_solved,
+            "The step of the cameras is right. What stands before the step of a point in its "
+            "equation, and what undoes it?",
+            also=[step.points_multiplied_by_V],
+        ),
+        Misconception(
+            step.cameras_not_solved,
+            "You multiply with the matrix that stands before the step. What undoes it?",
+        ),
+        Misconception(
             step.V_not_inverted,
             "The better a point is held, the less it gives way. Is your V inverted?",
             also=[
@@ -95,7 +105,6 @@ BUNDLE_ADJUST = Exercise(
     "bundle",
     plain.bundle_adjust,
     points=10,
-    compare=Close(rtol=1e-6, atol=1e-7),
     parts={
         "a step that helps": Part(inputs.a_step_that_helps, cases=1, weight=6),
         "a step that does not": Part(inputs.a_step_that_does_not, cases=1, weight=4),
@@ -126,9 +135,9 @@ BUNDLE_ADJUST = Exercise(
         ),
         Misconception(
             wrong.step_subtracted,
-            "Your steps never help. Do you turn their sign round, or multiply the diagonal with a "
-            "number near zero?",
-            also=[wrong.one_left_out],
+            "Your steps never help. Is their sign turned round? Or does U lose what stands on its "
+            "diagonal, or beside it, when you damp it?",
+            also=[wrong.one_left_out, wrong.only_the_diagonal_left],
         ),
         Misconception(
             wrong.only_cameras_moved,
@@ -138,6 +147,15 @@ BUNDLE_ADJUST = Exercise(
         Misconception(
             wrong.every_step_kept,
             "A step that helps is right. Where do you stay after one that makes the error larger?",
+            also=[wrong.overwritten],
+        ),
+        Misconception(
+            wrong.compared_with_itself,
+            "Which two errors do you compare? Do R, t and points still stand for where we were?",
+        ),
+        Misconception(
+            wrong.nothing_after_a_refusal,
+            "A step that helps is right. What does your function return after one that does not?",
         ),
         Misconception(
             wrong.larger_errors_kept,

@@ -18,29 +18,43 @@ def damped(blocks: Any, damping: float) -> Any:
     return diagonal_larger(U, damping), W, diagonal_larger(V, damping), g_c, g_p
 
 
+#: A judge tries all wrong answers on the same block: what they have in common is computed once.
+KNOWN: dict[bytes, Any] = {}
+
+
+def once(compute: Any, *parts: Any) -> Any:
+    """Return what a function gives, from memory if it was asked before."""
+    key = b"".join([compute.__name__.encode(), *(np.asarray(part).tobytes() for part in parts)])
+    if key not in KNOWN:
+        if len(KNOWN) > 8:
+            KNOWN.clear()
+        KNOWN[key] = compute(*parts)
+    return KNOWN[key]
+
+
+def start_of(*place: Any) -> Any:
+    """Return the blocks and the error where a block is."""
+    return bundle.normal_blocks(*place), bundle.squared_error(*place)
+
+
 def stepped(
     block: Any, damp: Any = damped, cameras: float = 1, points: float = 1
 ) -> tuple[Any, Any, bool]:
     """Return where we were, where the step leads, and whether it helps."""
     K, R, t, X, pixels, damping = block
-    blocks, error = start_of(*block[:5])
+    blocks, error = once(start_of, *block[:5])
     step, moves = bundle.solve_normal_block(*damp(blocks, damping))
     there = bundle.move_block(R, t, X, cameras * step, points * moves)
     return (R, t, X), there, bundle.squared_error(K, *there, pixels) < error
 
 
-#: A judge tries all wrong answers on the same block: where it starts is computed once.
-STARTS: dict[bytes, Any] = {}
+def right_step(*block: Any) -> Any:
+    return stepped(block)
 
 
-def start_of(*place: Any) -> Any:
-    """Return the blocks and the error where a block is."""
-    key = b"".join(part.tobytes() for part in place)
-    if key not in STARTS:
-        if len(STARTS) > 8:
-            STARTS.clear()
-        STARTS[key] = bundle.normal_blocks(*place), bundle.squared_error(*place)
-    return STARTS[key]
+def rightly_stepped(*block: Any) -> Any:
+    """Return what `stepped` does for the right step."""
+    return once(right_step, *block)
 
 
 def ended(stepped: Any, damping: float) -> Any:
@@ -113,38 +127,61 @@ def only_points_moved(K, R, t, points, pixels, damping):
     return ended(stepped((K, R, t, points, pixels, damping), cameras=0), damping)
 
 
+def only_the_diagonal_left(K, R, t, points, pixels, damping):
+    def damp(blocks: Any, damping: float) -> Any:
+        U, W, V, *gradients = blocks
+        return (1 + damping) * U * np.eye(len(U)), W, (1 + damping) * V * np.eye(3), *gradients
+
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
+
+
+def overwritten(K, R, t, points, pixels, damping):
+    _, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
+    return *there, damping / 10 if helps else damping * 10
+
+
+def compared_with_itself(K, R, t, points, pixels, damping):
+    _, there, _ = rightly_stepped(K, R, t, points, pixels, damping)
+    return *there, damping * 10
+
+
+def nothing_after_a_refusal(K, R, t, points, pixels, damping):
+    _, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
+    return (*there, damping / 10) if helps else None
+
+
 def every_step_kept(K, R, t, points, pixels, damping):
-    _, there, _ = stepped((K, R, t, points, pixels, damping))
+    _, there, _ = rightly_stepped(K, R, t, points, pixels, damping)
     return *there, damping / 10
 
 
 def larger_errors_kept(K, R, t, points, pixels, damping):
-    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    here, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
     return ended((here, there, not helps), damping)
 
 
 def damping_stays(K, R, t, points, pixels, damping):
-    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    here, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
     return *(there if helps else here), damping
 
 
 def damping_never_raised(K, R, t, points, pixels, damping):
-    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    here, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
     return *(there if helps else here), damping / 10 if helps else damping
 
 
 def damping_never_lowered(K, R, t, points, pixels, damping):
-    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    here, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
     return *(there if helps else here), damping if helps else damping * 10
 
 
 def damping_the_wrong_way(K, R, t, points, pixels, damping):
-    here, there, helps = stepped((K, R, t, points, pixels, damping))
+    here, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
     return *(there if helps else here), damping * 10 if helps else damping / 10
 
 
 def damping_left_out_of_the_answer(K, R, t, points, pixels, damping):
-    return ended(stepped((K, R, t, points, pixels, damping)), damping)[:3]
+    return ended(rightly_stepped(K, R, t, points, pixels, damping), damping)[:3]
 
 
 def the_step_returned(K, R, t, points, pixels, damping):

@@ -137,3 +137,20 @@ def cameras_only(U, W, V, g_c, g_p):
 def last_point_only_returned(U, W, V, g_c, g_p):
     cameras = left_for_cameras(U, W, V, g_c, g_p)
     return cameras, followed(W, V, g_p, cameras)[-1]
+
+
+def cameras_not_solved(U, W, V, g_c, g_p):
+    Y = W @ np.linalg.inv(V)
+    S = U - sum(Y @ W.swapaxes(1, 2))
+    cameras = S @ (-g_c + np.einsum("nck,nk->c", Y, g_p))
+    return cameras, followed(W, V, g_p, cameras)
+
+
+def points_not_solved(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, -g_p - np.einsum("nck,c->nk", W, cameras)
+
+
+def points_multiplied_by_V(U, W, V, g_c, g_p):
+    cameras = left_for_cameras(U, W, V, g_c, g_p)
+    return cameras, np.einsum("nij,nj->ni", V, -g_p - np.einsum("nck,c->nk", W, cameras))
