@@ -199,7 +199,7 @@ REFINE_POINT = Exercise(
         ),
         Misconception(
             step.measured_for_residuals,
-            "Your r holds pixels of hundreds. From what are they to be subtracted?",
+            "The numbers in your r are hundreds of pixels. Which two pixels make a residual?",
             also=[step.measured_with_the_other_sign, step.projected_for_residuals],
         ),
         Misconception(

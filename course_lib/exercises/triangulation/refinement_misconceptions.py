@@ -9,13 +9,10 @@ import numpy as np
 
 def linearised(point: Any, pixels: Any, cameras: Any) -> Any:
     """Return the right J and residuals."""
-    J, r = [], []
-    for pixel, P in zip(pixels, cameras, strict=True):
-        a = P @ np.append(point, 1)
-        seen = a[:2] / a[2]
-        J.extend((P[:2, :3] - seen[:, None] * P[2, :3]) / a[2])
-        r.extend(seen - pixel)
-    return np.array(J), np.array(r)
+    a = cameras[:, :, :3] @ point + cameras[:, :, 3]
+    seen = a[:, :2] / a[:, 2:]
+    J = (cameras[:, :2, :3] - seen[..., None] * cameras[:, 2:, :3]) / a[:, 2:, None]
+    return J.reshape(-1, 3), (seen - pixels).ravel()
 
 
 def step(J: Any, r: Any) -> Any:
