@@ -27,8 +27,9 @@ SKEW = Exercise(
         ),
         Misconception(
             wrong.minus_above_only,
-            "Two signs are not right. Is your matrix the negative of its transpose, and what does "
-            "it make of (1, 0, 0)?",
+            "Two signs are not right. Try (1, 0, 0), (0, 1, 0) and (0, 0, 1): what should v × each "
+            "of them be?",
+            also=[wrong.z_the_other_way, wrong.x_the_other_way],
         ),
         Misconception(
             wrong.first_and_last_swapped,
@@ -147,6 +148,7 @@ FUNDAMENTAL_FROM_CAMERAS = Exercise(
         Misconception(
             wrong.other_one_inverted,
             "Which camera is undone to get from the pixel to the ray, and which one looks at it?",
+            also=[wrong.other_one_inverted_last],
         ),
         Misconception(
             wrong.factors_turned_round,

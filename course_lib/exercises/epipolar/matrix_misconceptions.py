@@ -32,6 +32,16 @@ def minus_above_only(v):
     return np.array([[0, -z, -y], [z, 0, -x], [y, x, 0]])
 
 
+def z_the_other_way(v):
+    x, y, z = v
+    return np.array([[0, z, y], [-z, 0, -x], [-y, x, 0]])
+
+
+def x_the_other_way(v):
+    x, y, z = v
+    return np.array([[0, -z, y], [z, 0, x], [-y, -x, 0]])
+
+
 def first_and_last_swapped(v):
     return crossing(v[::-1])
 
@@ -168,6 +178,11 @@ def transposed_for_inverted(P1, P2):
 def other_one_inverted(P1, P2):
     M1, M2, _, e2 = blocks(P1, P2)
     return skew(e2) @ np.linalg.inv(M2) @ M1
+
+
+def other_one_inverted_last(P1, P2):
+    M1, M2, _, e2 = blocks(P1, P2)
+    return skew(e2) @ M1 @ np.linalg.inv(M2)
 
 
 def factors_turned_round(P1, P2):

@@ -45,6 +45,11 @@ RANSAC_FUNDAMENTAL = Exercise(
             also=[wrong.last_of_the_best_not_refined],
         ),
         Misconception(
+            wrong.threshold_squared,
+            "Some wrong pairs pass that are just beyond the threshold. Is the error you compare "
+            "with it already a distance?",
+        ),
+        Misconception(
             wrong.refined_with_all,
             "The right pairs are marked. Which pairs make your final F?",
         ),

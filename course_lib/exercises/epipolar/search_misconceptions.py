@@ -68,6 +68,12 @@ def last_of_the_best_not_refined(points1, points2, samples, threshold):
     return max(best[::-1], key=lambda one: one[1].sum())
 
 
+def threshold_squared(points1, points2, samples, threshold):
+    found = in_turn(points1, points2, samples, threshold)
+    fitting = [sampson_error(points1, points2, F) < threshold**2 for F, _ in found]
+    return from_those(points1, points2, max(fitting, key=lambda fits: fits.sum()))
+
+
 def refined_with_all(points1, points2, samples, threshold):
     return eight_point(points1, points2), tried(points1, points2, samples, threshold)[0][1]
 
