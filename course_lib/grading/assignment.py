@@ -106,35 +106,36 @@ def read_assignment(term: Path, name: str) -> Assignment:
     with _inside(term):
         app = AutogradeApp(log_level="ERROR")
         app.initialize([])
-        course, config = app.coursedir, app.config
+        course = app.coursedir
         with Gradebook(course.db_url, course.course_id) as gradebook:
-            try:
-                found = gradebook.find_assignment(name)
-            except MissingEntry:
-                raise ValueError(_no_assignment(name, gradebook)) from None
-            notebooks = {
-                notebook.name: read_notebook_given(
-                    notebook, given_cells(term / "release" / name / f"{notebook.name}.ipynb")
-                )
-                for notebook in found.notebooks
-            }
-    options = config.get("AnswerOutside", {})
+            notebooks = _read_notebooks(gradebook, term, name)
+    options = app.config.get("AnswerOutside", {})
+    steps = ("submitted", "autograded", "source")
     return Assignment(
         name=name,
         term=term,
         db_url=course.db_url,
         course_id=course.course_id,
         notebooks=notebooks,
-        folders={
-            "submitted": course.submitted_directory,
-            "autograded": course.autograded_directory,
-            "source": course.source_directory,
-        },
+        folders={step: getattr(course, f"{step}_directory") for step in steps},
         key_file=Path(str(options.get("key_file", term / "grading.key"))),
         isolation=str(options.get("isolation", "bubblewrap")),
         cell_seconds=float(options.get("cell_seconds", 30.0)),
-        config=config,
+        config=app.config,
     )
+
+
+def _read_notebooks(gradebook: Any, term: Path, name: str) -> dict[str, GivenNotebook]:
+    """Return the notebooks of an assignment by name."""
+    try:
+        found = gradebook.find_assignment(name)
+    except MissingEntry:
+        raise ValueError(_no_assignment(name, gradebook)) from None
+    notebooks = {}
+    for notebook in found.notebooks:
+        given = given_cells(term / "release" / name / f"{notebook.name}.ipynb")
+        notebooks[notebook.name] = read_notebook_given(notebook, given)
+    return notebooks
 
 
 def _no_assignment(name: str, gradebook: Any) -> str:

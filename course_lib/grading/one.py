@@ -27,6 +27,7 @@ from course_lib.grading.submissions import UnreadableError, files_beside, read_n
 #: What nbgrader leaves out when it copies a submission.
 NOT_COPIED = {"__pycache__", ".ipynb_checkpoints"}
 MOST_COPIED = 100_000_000
+ENDED = "The notebook ended the Python that grades it, twice. A person must look at it."
 
 
 @dataclass(frozen=True)
@@ -90,41 +91,37 @@ def grade_one(assignment: Assignment, student: str, judge: Judge) -> Graded:
     Graded
         For the gradebook; with `trouble` if it cannot be graded.
     """
-    start, folder = time.perf_counter(), assignment.submitted(student)
-    mark_of_it = fingerprint(folder, list(assignment.notebooks))
-    growing = growing_folder(assignment, student)
-    shutil.rmtree(growing, ignore_errors=True)
+    start, work = time.perf_counter(), _Work(assignment, student, judge)
+    trouble = ""
     try:
-        work = _Work(assignment, student, judge, growing)
-        _copy_beside(folder, growing)
-        _copy_beside(assignment.source(), growing)
         work.grade_all()
     except UnreadableError as error:
-        shutil.rmtree(growing, ignore_errors=True)
-        return Graded(student, mark_of_it, str(error), seconds=time.perf_counter() - start)
+        trouble = str(error)
     except ServerGoneError as error:
-        shutil.rmtree(growing, ignore_errors=True)
-        trouble = "The notebook ended the Python that grades it, twice. A person must look at it."
-        return Graded(student, mark_of_it, trouble, notes=(str(error)[:300],))
-    seconds = round(time.perf_counter() - start, 3)
+        trouble = ENDED
+        work.notes.append(str(error)[:300])
+    if trouble:
+        shutil.rmtree(work.growing, ignore_errors=True)
+        work.grades.clear()
     return Graded(
         student,
-        mark_of_it,
+        fingerprint(work.folder, list(assignment.notebooks)),
+        trouble,
         notes=tuple(work.notes),
         grades=work.grades,
         responses=work.responses,
-        exercises=work.exercises,
-        seconds=seconds,
+        exercises={} if trouble else work.exercises,
+        seconds=round(time.perf_counter() - start, 3),
     )
 
 
 class _Work:
     """The notebooks of one submission, one after the other."""
 
-    def __init__(self, assignment: Assignment, student: str, judge: Judge, growing: Path) -> None:
-        self.assignment, self.student, self.judge, self.growing = (
-            assignment, student, judge, growing,
-        )  # fmt: skip
+    def __init__(self, assignment: Assignment, student: str, judge: Judge) -> None:
+        self.assignment, self.student, self.judge = assignment, student, judge
+        self.folder = assignment.submitted(student)
+        self.growing = growing_folder(assignment, student)
         self.notes: list[str] = []
         self.grades: dict[str, dict[str, float | None]] = {}
         self.responses: dict[str, dict[str, bool]] = {}
@@ -132,7 +129,10 @@ class _Work:
 
     def grade_all(self) -> None:
         """Grade every notebook of the assignment that was handed in."""
-        folder = self.assignment.submitted(self.student)
+        folder = self.folder
+        shutil.rmtree(self.growing, ignore_errors=True)
+        _copy_beside(folder, self.growing)
+        _copy_beside(self.assignment.source(), self.growing)
         there = [n for n in self.assignment.notebooks if os.path.lexists(folder / f"{n}.ipynb")]
         if not there:
             raise UnreadableError(_not_there(folder, list(self.assignment.notebooks)))

@@ -65,39 +65,67 @@ def grade_all(
     Graded
         In the order in which they are done.
     """
-    waiting = deque(students)
-    tries = dict.fromkeys(students, 0)
-    team = [_start(assignment, manner, n) for n in range(min(workers, len(students)))]
+    team = _Team(assignment, manner, students)
     try:
-        for worker in team:
-            _give(worker, waiting, tries)
-        while any(worker.student for worker in team):
-            ready = connection.wait([w.line for w in team if w.student])
-            for number, worker in enumerate(team):
-                if worker.line not in ready:
-                    continue
-                student = worker.student
-                graded = _take(worker)
-                if graded is None:  # it was killed: go on with a new one
-                    team[number] = worker = _start(assignment, manner, number)
-                    if tries[student] < TRIES:
-                        waiting.append(student)
-                    else:
-                        graded = _set_aside(assignment, student)
-                _give(worker, waiting, tries)
-                if graded is not None:
-                    yield graded
-            _wake(team, waiting, tries)
+        team.begin(min(workers, len(students)))
+        while team.is_busy():
+            yield from team.next_done()
     finally:
-        for worker in team:
+        team.stop()
+
+
+class _Team:
+    """Workers, what waits for them, and how often each submission was tried."""
+
+    def __init__(self, assignment: Assignment, manner: Manner, students: Sequence[str]) -> None:
+        self._assignment, self._manner = assignment, manner
+        self._waiting, self._tries = deque(students), dict.fromkeys(students, 0)
+        self._workers: list[_Worker] = []
+
+    def begin(self, number: int) -> None:
+        """Start the workers and give each a submission."""
+        for k in range(number):
+            self._workers.append(_start(self._assignment, self._manner, k))
+        self._give_out()
+
+    def is_busy(self) -> bool:
+        """Whether anything is being graded."""
+        return any(worker.student for worker in self._workers)
+
+    def next_done(self) -> Iterator[Graded]:
+        """Wait for a worker; yield what it has graded, and keep all at work."""
+        ready = connection.wait([w.line for w in self._workers if w.student])
+        for number, worker in enumerate(self._workers):
+            if worker.line not in ready:
+                continue
+            student, graded = worker.student, _take(worker)
+            worker.student = ""
+            if graded is None:  # it was killed: go on with a new one
+                self._workers[number] = _start(self._assignment, self._manner, number)
+                graded = self._try_again(student)
+            self._give_out()
+            if graded is not None:
+                yield graded
+
+    def _try_again(self, student: str) -> Graded | None:
+        if self._tries[student] < TRIES:
+            self._waiting.append(student)
+            return None
+        return _set_aside(self._assignment, student)
+
+    def _give_out(self) -> None:
+        """Give idle workers what waits."""
+        for worker in self._workers:
+            if not worker.student and self._waiting:
+                worker.student = self._waiting.popleft()
+                self._tries[worker.student] += 1
+                with suppress(OSError):  # if it is gone, waiting for it says so at once
+                    worker.line.send(worker.student)
+
+    def stop(self) -> None:
+        """End all workers."""
+        for worker in self._workers:
             _stop(worker)
-
-
-def _wake(team: list[_Worker], waiting: deque[str], tries: dict[str, int]) -> None:
-    """Give idle workers what came back from one that was killed."""
-    for worker in team:
-        if not worker.student:
-            _give(worker, waiting, tries)
 
 
 def _start(assignment: Assignment, manner: Manner, number: int) -> _Worker:
@@ -141,14 +169,6 @@ def _work(
 
 def _unforeseen(reason: str) -> str:
     return f"The notebook could not be graded ({reason}). A person must look at it."
-
-
-def _give(worker: _Worker, waiting: deque[str], tries: dict[str, int]) -> None:
-    worker.student = waiting.popleft() if waiting else ""
-    if worker.student:
-        tries[worker.student] += 1
-        with suppress(OSError):  # if it is gone, waiting for it says so at once
-            worker.line.send(worker.student)
 
 
 def _take(worker: _Worker) -> Graded | None:
