@@ -113,7 +113,12 @@ def self_calibrate(
         if np.abs(_fields(start, observations, names) @ step).max() <= SETTLED:
             break
         a, block = a + step, fit.block
-    spread = fit.cost / max(fit.redundancy - len(names), 1)
+    if fit.redundancy <= len(names):
+        raise DegenerateConfigurationError(
+            "as many unknowns as measured numbers: nothing is left to judge the lens by; measure "
+            "more, or free less of it"
+        )
+    spread = fit.cost / (fit.redundancy - len(names))
     sigma = np.sqrt(spread * np.diag(inverse)).tolist()
     found = dict(zip(names, a.tolist(), strict=True))
     K = _intrinsics(start.K, found)
