@@ -68,28 +68,32 @@ def test_the_lamp_is_between_the_second_spot_and_the_third():
     says("9 m before the camera", "28 m, at the last", "14 m away", "the second spot and the third")
 
 
-def depths_that_agree(u, v):
-    """Return the depths of the slider, those at which the patches differ least first."""
+def differences(u, v):
+    """Return the positions of the depth slider, and by how much the two patches differ there."""
     depths = epipolar_explorer()._controls["Z"].positions
     apart = [
         read(epipolar_frame(pairs.TOWARDS, u, v, Z), "The two patches differ by") for Z in depths
     ]
-    numbers = [math.inf if text == "–" else float(text) for text in apart]
-    return [depths[i] for i in np.argsort(numbers, kind="stable")]
+    return depths, [math.inf if text == "–" else float(text) for text in apart]
 
 
 def test_patches_agree_where_the_text_says():
     start = epipolar_explorer().state
     chart = start["u"], start["v"]
-    assert depths_that_agree(*chart)[0] == about(10, 0)
-    window = depths_that_agree(224, 116)[:4]
-    assert any(13.3 <= Z <= 13.7 for Z in window)
-    assert any(25.5 <= Z <= 26.5 for Z in window)
+    depths, apart = differences(*chart)
+    assert depths[int(np.argmin(apart))] == about(10, 0)
+    depths, apart = differences(228, 80)
+    best = int(np.argmin(apart))
+    assert (depths[best], apart[best]) == (about(27, 0), 17)
+    for Z, levels in ((19.5, 30), (31.4, 27)):
+        i = depths.index(Z)
+        assert apart[i] == levels == min(apart[i - 1 : i + 2])
     one, _ = pairs.cameras(pairs.TOWARDS, 340)
-    for at, depth in ((chart, 10), ((224, 116), 28)):
+    for at, depth in ((chart, 10), ((228, 80), 27)):
         (X,) = pairs.surface(one, np.array([at]))
         assert float(one.R[2] @ X + one.t[2]) == about(depth, 0)
-    says("$(224, 116)$", "At about 10 m", "At about 13.5 m and at 26 m", "Really it is 28 m")
+    says("$u = 228$, $v = 80$", "At about 10 m", "17 grey levels at 27 m, which is right")
+    says("at 19.5 m and at 31.4 m", "30 and 27 levels")
 
 
 def test_the_worked_examples_of_the_first_sitting():
