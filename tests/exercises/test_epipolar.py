@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from course_lib import epipolar
-from course_lib.exercises.epipolar import inputs, pair_inputs, plain, plain_estimation
+from course_lib.exercises.epipolar import inputs, keeping, pair_inputs, plain, plain_estimation
 from course_lib.exercises.epipolar.comparison import (
     LinesWithUnitNormal,
     MatrixAndFits,
@@ -160,3 +160,23 @@ def test_whole_numbers_have_a_line_for_every_point(draw):
         posed = draw(np.random.default_rng(seed))
         points = posed.get("points", posed.get("points1"))
         assert np.isfinite(plain.epipolar_lines(points, posed["F"])).all()
+
+
+def test_kept_results_belong_to_their_numbers_and_shapes(monkeypatch):
+    asked = []
+
+    @keeping.kept
+    def total(array, factor):
+        asked.append(factor)
+        return array.sum(axis=0) * factor
+
+    flat = np.arange(6.0)
+    assert total(flat, 2) == total(flat.copy(), 2) == 30
+    assert asked == [2]
+    assert total(flat.reshape(3, 2), 2).shape == (2,)
+    assert total(flat, 3) == 45
+    assert asked == [2, 2, 3]
+    monkeypatch.setattr(keeping, "MOST", 1)
+    total(flat, 4)
+    assert total(flat, 4) == 60
+    assert len(asked) == 4
