@@ -80,7 +80,7 @@ def _other_than(got: Any, expected: NDArray[Any], hint: str = "") -> Mismatch:
     return Mismatch("type", message)
 
 
-def _close(array: NDArray[Any], truth: NDArray[Any], rtol: float, atol: float) -> NDArray[Any]:
+def close_to(array: NDArray[Any], truth: NDArray[Any], rtol: float, atol: float) -> NDArray[Any]:
     """Return what `np.isclose` does, with NaN equal to NaN, in a fraction of its time."""
     if truth.ndim:
         with np.errstate(invalid="ignore"):  # inf - inf
@@ -125,7 +125,7 @@ class Close:
         array = _numeric(got, truth)
         if isinstance(array, Mismatch):
             return array
-        right = _close(array, truth, self.rtol, self.atol)
+        right = close_to(array, truth, self.rtol, self.atol)
         return None if right.all() else self._values(array, truth, right)
 
     def _values(self, array: NDArray[Any], truth: NDArray[Any], right: NDArray[Any]) -> Mismatch:
@@ -136,7 +136,7 @@ class Close:
         if np.isinf(truth[~right]).all():
             which = "Some values" if truth.ndim else "The value"
             return Mismatch("values", f"{which} should be infinite (`np.inf`) and not a number.")
-        if _close(array, truth, 3e-3, 0.0).all():
+        if close_to(array, truth, 3e-3, 0.0).all():
             nearly = "Nearly right, less than 0.3 % off. Is it rounded, or a small thing missing?"
             return Mismatch("values", nearly)
         if array.ndim == 0:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from course_lib.judging.answering import Answer, own_answers
-from course_lib.judging.comparison import Close, Comparison, Exactly, Mismatch
+from course_lib.judging.comparison import Close, Comparison, Exactly, Mismatch, close_to
 from course_lib.judging.exercise import Case, Exercise, Misconception
 
 
@@ -110,8 +110,22 @@ def _explained(cases: Sequence[Case], agreement: Sequence[bool]) -> tuple[int, i
 def _alike(compare: Comparison, given: Answer, outcome: Answer) -> bool:
     if given.status != "value" or outcome.status != "value":
         return _failure(given) == _failure(outcome)
+    if isinstance(compare, Close) and _far_apart(compare, given.value, outcome.value):
+        return False
     ways = [compare, *(way for way in (Close(), Exactly()) if way != compare)]
     return any(_agrees(way, given, outcome) for way in ways)
+
+
+def _far_apart(compare: Close, given: Any, outcome: Any) -> bool:
+    """Whether arrays of numbers differ by more than any way of comparing them lets pass.
+
+    It says so in a fraction of the time that a comparison takes to find its words.
+    """
+    arrays = isinstance(given, np.ndarray) and isinstance(outcome, np.ndarray)
+    if not arrays or given.shape != outcome.shape or not given.dtype == outcome.dtype == float:
+        return False
+    rtol, atol = max(compare.rtol, Close.rtol), max(compare.atol, Close.atol)
+    return not close_to(given, outcome, rtol, atol).all()
 
 
 def _failure(answer: Answer) -> tuple[str, str, str]:

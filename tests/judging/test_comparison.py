@@ -12,7 +12,7 @@ from course_lib.judging import (
     UpToScale,
     YesOrNo,
 )
-from course_lib.judging.comparison import _close
+from course_lib.judging.comparison import close_to
 
 ROTATION = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
 POINTS = np.array([[1.0, 2], [3, 4], [5, 6]])
@@ -139,7 +139,7 @@ def test_close_is_what_numpy_calls_close():
     special = np.array([0, 1, -1, np.nan, np.inf, -np.inf, 1e-9, 1e300])
     got, truth = rng.choice(special, (2, 4000))
     got = got * rng.choice([1, 1 + 1e-7, 1 + 1e-5], 4000) + rng.choice([0, 1e-10, 1e-8], 4000)
-    ours = _close(got, truth, 1e-6, 1e-9)
+    ours = close_to(got, truth, 1e-6, 1e-9)
     with np.errstate(invalid="ignore"):
         numpys = np.isclose(got, truth, rtol=1e-6, atol=1e-9, equal_nan=True)
     np.testing.assert_array_equal(ours, numpys)

@@ -5,8 +5,8 @@ import warnings
 import numpy as np
 import pytest
 
-from course_lib.judging import Exercise, Misconception, Part, answer, judge, pose
-from course_lib.judging.matching import BothBeyond
+from course_lib.judging import Close, Exactly, Exercise, Misconception, Part, answer, judge, pose
+from course_lib.judging.matching import BothBeyond, _far_apart
 
 
 def scaled(values, factor):
@@ -146,3 +146,19 @@ def test_the_same_exception_for_another_reason_is_another_mistake(function, hint
     answers = answer(RAISING, function, cases)
     assert {(a.status, a.error) for a in answers} == {("raised", "ValueError")}
     assert judge(RAISING, cases, answers).hints == hints
+
+
+@pytest.mark.parametrize("size", [1e-12, 1.0, 1e9])
+@pytest.mark.parametrize("compare", [Close(), Close(rtol=0, atol=1e-4), Close(rtol=0.1, atol=0)])
+def test_arrays_that_are_far_apart_agree_in_no_way(compare, size):
+    """What is told apart quickly would be told apart slowly."""
+    rng = np.random.default_rng(0)
+    seen = set()
+    for off in 10.0 ** rng.uniform(-13, 1, 300):
+        given = size * rng.normal(size=3)
+        outcome = given * (1 + off)
+        slowly = any(way(given, outcome) is None for way in (compare, Close(), Exactly()))
+        quickly = not _far_apart(compare, given, outcome)
+        assert quickly or not slowly
+        seen.add(quickly)
+    assert seen == {True, False} or size == 1e-12
