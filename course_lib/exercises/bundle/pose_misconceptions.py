@@ -179,3 +179,8 @@ def translation_as_a_column(points, pixels, K):
 def row_for_column(points, pixels, K):
     M = without_K(points, pixels, K)
     return pose_of(M)[0], M[2] / parts_of(M)[1].mean()
+
+
+def rotation_and_scale_with_K_in_them(points, pixels, K):
+    U, S, Vt = np.linalg.svd(camera_of(points, pixels)[:, :3])
+    return U @ Vt, without_K(points, pixels, K)[:, 3] / S.mean()

@@ -89,7 +89,8 @@ RESECT_CAMERA = Exercise(
         ),
         Misconception(
             wrong.rotation_with_K_in_it,
-            "Your t is right. Of which matrix do you take the SVD: is K still in it?",
+            "Of which matrix do you take the SVD: is K still in it?",
+            also=[wrong.rotation_and_scale_with_K_in_them],
         ),
         Misconception(
             wrong.centre_for_translation,
