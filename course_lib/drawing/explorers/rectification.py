@@ -136,12 +136,18 @@ def rectification_frame(s: float, pair: str) -> Frame:
     return Frame(pictures, readouts)
 
 
+@cache
+def _turns(views: TwoViews) -> tuple[Floats, Floats]:
+    """Return the rotation vectors that rectify both cameras, rad."""
+    whole = rectify(views.K1, views.K2, views.R, views.t, views.K)
+    return vector_from_rotation(whole.R1), vector_from_rotation(whole.R2)
+
+
 def turned(views: TwoViews, s: float) -> tuple[Floats, Floats, tuple[float, float]]:
     """Return both homographies at a share of the way, and their turns in degrees."""
-    whole = rectify(views.K1, views.K2, views.R, views.t, views.K)
     out = []
-    for K, R in ((views.K1, whole.R1), (views.K2, whole.R2)):
-        step = s * vector_from_rotation(R)
+    for K, whole in zip((views.K1, views.K2), _turns(views), strict=True):
+        step = s * whole
         now = (1 - s) * K + s * views.K
         H = now @ rotation_from_vector(step) @ np.linalg.inv(K)
         out.append((H, float(np.degrees(np.linalg.norm(step)))))
