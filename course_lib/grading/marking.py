@@ -17,8 +17,8 @@ from course_lib.judging.html import to_html
 from course_lib.judging.text import to_text
 
 CRASH = (
-    "Python stopped before it came to this check: a cell above ended it, for example by calling "
-    "os._exit or by a crash in compiled code."
+    "Python stopped before it came to this check: a cell above ended it (as os._exit or a crash in "
+    "compiled code does), or left it no processes."
 )
 #: Why a check could not be run, by what ended the notebook.
 REASONS = {

@@ -83,7 +83,7 @@ class Conversation:
             self.reason = "confused"
 
     def _note(self, said: Mapping[str, Any]) -> None:
-        if "trouble" in said:
+        if "trouble" in said and not self.outputs and not self.reached:
             raise ServerGoneError(f"a submission could not be started: {said['trouble']}")
         if "check" in said:
             self.reached.add(int(said["check"]))
@@ -214,7 +214,7 @@ class Server:
             except wire.Closed as error:
                 raise ServerGoneError(str(error)) from None
             conversation = Conversation(life, talk, asks)
-            conversation.listen(allowance.notebook_seconds + 5 * GRACE)
+            conversation.listen(allowance.notebook_seconds + GRACE)
             yield conversation
 
     def _order(self, job: Job, folder: str) -> dict[str, Any]:

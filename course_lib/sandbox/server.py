@@ -132,6 +132,7 @@ def _wait_for_all(lines: list[socket.socket]) -> NoReturn:
     """Wait until no child is left; the first process of a namespace is the parent of all."""
     for line in lines:
         line.close()
+    walls.hide()
     with suppress(ChildProcessError):
         while True:
             os.wait()
@@ -146,9 +147,6 @@ def _become_notebook(lines: list[socket.socket], allowance: Allowance) -> NoRetu
         os.setsid()
         job: dict[str, Any] = wire.receive(talk, 20, trusted=True)
         run_notebook(job, talk, questions, allowance)
-    except BaseException as error:
-        with suppress(Exception):
-            wire.send(talk, {"trouble": f"{type(error).__name__}: {error}"})
     finally:
         os._exit(0)
 

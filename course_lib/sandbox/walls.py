@@ -46,6 +46,11 @@ def die_with_parent() -> None:
     _call("prctl", _DEATH_SIGNAL, _KILL, 0, 0, 0)
 
 
+def hide() -> None:
+    """Keep this process from being traced or looked into by others of its user."""
+    _call("prctl", _SET_DUMPABLE, 0, 0, 0, 0)
+
+
 def become(user: int) -> None:
     """Mount the processes' folder as root, and go on as an ordinary user for good.
 
