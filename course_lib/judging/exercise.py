@@ -8,9 +8,11 @@ from typing import Any
 
 from numpy.random import Generator
 
-from course_lib.judging.comparison import Close, Comparison
+from course_lib.judging.comparison import Close, Comparison, Mismatch
 
 Inputs = dict[str, Any]
+#: What an answer must meet: None, or why it does not, from the answer and the inputs.
+Demand = Callable[[Any, Inputs], Mismatch | None]
 
 
 @dataclass(frozen=True)
@@ -43,11 +45,14 @@ class Part:
         How many inputs are drawn. All must be answered rightly to earn the part.
     weight : float
         Share of the points, relative to the other parts.
+    demand : callable, optional
+        Where many answers are right: judges one by the inputs, instead of by the expected answer.
     """
 
     draw: Draw
     cases: int = 3
     weight: float = 1.0
+    demand: Demand | None = None
 
 
 @dataclass(frozen=True)
@@ -65,12 +70,16 @@ class Misconception:
     compare : callable, optional
         How an answer is compared with the variant's, where chance leaves only the order of
         magnitude alike; else the exercise's comparison.
+    explains : callable, optional
+        Where many answers are right, and so are many wrong: whether this mistake leads to a wrong
+        answer, from its case and the answer; else the variant's own answer is looked for.
     """
 
     variant: Callable[..., Any]
     hint: str
     also: Sequence[Callable[..., Any]] = ()
     compare: Comparison | None = None
+    explains: Callable[[Case, Any], bool] | None = None
 
     @property
     def name(self) -> str:

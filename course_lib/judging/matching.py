@@ -83,6 +83,12 @@ def _agreement(
 
     A part is left at the first wrong answer that it does not give: it does not explain that part.
     """
+    if misconception.explains:
+        explains = misconception.explains
+        return [
+            i in wrong and given.status == "value" and explains(case, given.value)
+            for i, (case, given) in enumerate(zip(cases, answers, strict=True))
+        ]
     compare = misconception.compare or exercise.compare
     by_part = [[i for i, case in enumerate(cases) if case.part == p] for p in exercise.parts]
 

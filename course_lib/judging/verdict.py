@@ -138,8 +138,11 @@ def _judge_case(exercise: Exercise, case: Case, given: Answer, reveal: bool) -> 
         return _judge_refusal(case, given, case.truth, reveal)
     if given.status != "value" or (given.value is None and exercise.none_is_untouched):
         return Feedback(_KINDS[given.status], _sentence(given, reveal), case)
-    expected = expected_answer(exercise, case)
-    mismatch = exercise.compare(given.value, expected)
+    if demand := exercise.part(case.part).demand:  # many answers are right: none is expected
+        expected, mismatch = None, demand(given.value, case.inputs)
+    else:
+        expected = expected_answer(exercise, case)
+        mismatch = exercise.compare(given.value, expected)
     if mismatch is None:
         return Feedback("right", "Right.", case, given.value, expected)
     shown = expected if exercise.shows_expected else None
