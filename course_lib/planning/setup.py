@@ -44,6 +44,8 @@ class Task:
         Largest spot, by defocus or by diffraction, and longest smear that count as sharp, px.
     sigma : float
         Largest standard deviation of a point in space, m; ``np.inf`` with one camera.
+    exposure_at_f1 : float
+        Exposure time that the light needs at f/1, s; 0 if there is always enough.
     """
 
     box: Box
@@ -54,6 +56,7 @@ class Task:
     frame_rate: float = 1.0
     blur_px: float = 1.5
     sigma: float = np.inf
+    exposure_at_f1: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,8 +156,8 @@ def judge_setup(setup: Setup, task: Task, second: Setup | None = None) -> list[V
     Returns
     -------
     list of Verdict
-        In view, resolution, depth of field, diffraction, closest focus, motion blur, frame rate
-        and, with a pair, the expected standard deviation in space.
+        In view, resolution, depth of field, diffraction, closest focus, motion blur, frame rate,
+        light and, with a pair, the expected standard deviation in space.
 
     Raises
     ------
@@ -163,7 +166,7 @@ def judge_setup(setup: Setup, task: Task, second: Setup | None = None) -> list[V
     """
     verdicts = [in_view(setup, task), resolution(setup, task)]
     verdicts += [depth_of_field(setup, task), diffraction(setup, task), closest_focus(setup, task)]
-    verdicts += [motion_blur(setup, task), frame_rate(setup, task)]
+    verdicts += [motion_blur(setup, task), frame_rate(setup, task), light(setup, task)]
     return verdicts + ([expected_sigma(setup, second, task)] if second else [])
 
 
@@ -249,6 +252,15 @@ def frame_rate(setup: Setup, task: Task) -> Verdict:
     reason = f"The camera takes {fastest:.3g} pictures a second, {why}."
     remedy = "" if met else "Expose for less time, read fewer rows, or take a faster camera."
     return Verdict("frame rate", met, fastest, task.frame_rate, "1/s", reason, remedy)
+
+
+def light(setup: Setup, task: Task) -> Verdict:
+    """Return whether the exposure is long enough for the aperture: t / N² makes the light."""
+    t, needed = setup.exposure_time, task.exposure_at_f1 * setup.N**2
+    met = t >= needed * (1 - 1e-12)
+    reason = f"At f/{setup.N:g} the light needs {1e6 * needed:.3g} µs; it has {1e6 * t:.3g} µs."
+    remedy = "" if met else f"Open to f/{setup.N * np.sqrt(t / needed):.2g}, or bring more lamps."
+    return Verdict("light", met, 1e6 * t, 1e6 * needed, "µs", reason, remedy)
 
 
 def expected_sigma(setup: Setup, second: Setup, task: Task, sigma_px: float = 0.1) -> Verdict:

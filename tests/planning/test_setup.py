@@ -33,11 +33,11 @@ class TestVerdicts:
     def test_a_good_setup_meets_every_demand(self):
         verdicts = judge_setup(GOOD, TASK, OTHER)
         assert [v.name for v in verdicts if not v.met] == []
-        assert len(verdicts) == 8
+        assert len(verdicts) == 9
         assert all(v.reason.endswith(".") and not v.remedy for v in verdicts)
 
     def test_one_camera_is_not_asked_about_space(self):
-        assert len(judge_setup(GOOD, TASK)) == 7
+        assert len(judge_setup(GOOD, TASK)) == 8
 
     @pytest.mark.parametrize(
         ("name", "setup", "task"),
@@ -51,6 +51,7 @@ class TestVerdicts:
             ("motion blur", {"exposure_time": 1 / 60}, {}),
             ("frame rate", {"exposure_time": 1 / 20}, {}),
             ("frame rate", {}, {"frame_rate": 100}),
+            ("light", {"N": 8}, {"exposure_at_f1": 2e-5}),
             ("expected σ", {}, {"sigma": 1e-5}),
         ],
     )
@@ -80,6 +81,15 @@ class TestVerdicts:
         closed = verdict("diffraction", replace(GOOD, N=16))
         N = 16 * closed.limit / closed.value
         assert verdict("diffraction", replace(GOOD, N=N - 1e-9)).met
+
+    def test_the_remedy_of_light_works(self):
+        """Four times the f-number needs sixteen times the time."""
+        task = replace(TASK, exposure_at_f1=1 / 16000)
+        assert verdict("light", replace(GOOD, N=4), task).met
+        found = verdict("light", replace(GOOD, N=8), task)
+        assert found.limit == pytest.approx(4000)
+        assert "f/4," in found.remedy
+        assert not verdict("light", replace(GOOD, N=4.01), task).met
 
     def test_expected_sigma_is_the_scatter_of_simulated_points(self):
         """The worst corner, along its worst axis: 2000 triangulations."""
