@@ -115,6 +115,7 @@ def test_the_chains_are_drawn_five_times_too_far():
         apart = growing.grown(way)[-1].block.centres - true
         (shown,) = lines(ax, "camera")
         np.testing.assert_allclose(shown, (true + 5 * apart)[:, :2])
+        assert "(deviations × 5)" in ax.get_title(loc="left")
 
 
 def test_the_matrices_are_zero_where_nobody_sees():

@@ -100,6 +100,8 @@ def test_the_frame_says_what_it_draws(way):
     assert value(frame, "Newest picture") == 13
     assert value(frame, "Known points it sees") == stage.seen
     assert value(frame, "Points it adds") == stage.added
+    (after,) = (r.value for r in frame.readouts if r.label == "RMS after it")
+    assert after == (f"{stage.after:.2f}" if growing.WAYS[way] else "none made")
     space, above, curve = frame.pictures
     newest = by_role(above, "object")[0].mean(
         axis=0, where=np.isfinite(by_role(above, "object")[0])

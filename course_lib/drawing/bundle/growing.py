@@ -200,7 +200,8 @@ def _adjusted(stage: Stage, seen: Observations) -> Stage:
     found = _scaled(fit.block, float(base))
     points = stage.points.copy()
     points[known] = found.points
-    return replace(stage, block=found.moved_to(np.nan_to_num(points)), points=points, after=fit.rms)
+    moved = found.moved_to(np.nan_to_num(points))
+    return replace(stage, block=moved, points=points, after=fit.rms, adjusted=True)
 
 
 def _scaled(block: Block, base: float) -> Block:

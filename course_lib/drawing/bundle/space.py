@@ -89,7 +89,9 @@ def _name_cameras(ax: Axes, view: Camera, block: Block) -> None:
         write(ax, view.project(outside), str(camera), "camera", fontsize=10)
 
 
-@figure("From above: the true circle of cameras, and two chains that leave it and do not close.")
+@figure(
+    "From above: the true circle of cameras, and two chains that leave it; deviations are enlarged."
+)
 def chains_from_above() -> Figure:
     """Show where 25 cameras come to lie, chained only and adjusted, five times exaggerated.
 
@@ -113,7 +115,8 @@ def chains_from_above() -> Figure:
             ax.annotate(f"{number}", tuple(place), aside, **look)
         first, last = stage.block.centres[[0, -1]]
         gap = 1000 * float(np.linalg.norm(last - first))
-        ax.set_title(f"{way}\nRMS {stage.after:.2f} px, gap {gap:.1f} mm", fontsize=11)
+        title = f"{way} (deviations × {TIMES})\nRMS {stage.after:.2f} px, gap {gap:.1f} mm"
+        ax.set_title(title, fontsize=11)
         ax.set(aspect="equal", xlabel="x (m)", ylabel="y (m)", xlim=(-1.5, 1.5), ylim=(-1.4, 1.4))
     return fig
 
