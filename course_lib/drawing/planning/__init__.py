@@ -3,20 +3,32 @@
 from __future__ import annotations
 
 from course_lib.drawing.planning.choosing import compared, limits, room_for_aperture, verdicts
+from course_lib.drawing.planning.flying import flight_map, hidden, overlaps, smallest_object
 from course_lib.drawing.planning.panel import BOX, TASK, pair, stand
 from course_lib.drawing.planning.rig import box_in_picture, chosen, failures, rig
+from course_lib.drawing.planning.site import AREA, counts, drone, flight, ground, in_area
 
 __all__ = [
+    "AREA",
     "BOX",
     "TASK",
     "box_in_picture",
     "chosen",
     "compared",
+    "counts",
+    "drone",
     "failures",
+    "flight",
+    "flight_map",
+    "ground",
+    "hidden",
+    "in_area",
     "limits",
+    "overlaps",
     "pair",
     "rig",
     "room_for_aperture",
+    "smallest_object",
     "stand",
     "verdicts",
 ]

@@ -149,9 +149,9 @@ def room_for_aperture() -> Figure:
     write(ax, (5.5, 7.6), "below: ends\nout of focus", "camera")
     write(ax, (enough - 0.4, 1.2), "left: not precise enough", "object", ha="right")
     write(ax, (fine + 0.4, 1.2), "right: too coarse", "object", ha="left")
-    write(ax, (23, 8), "grey: all demands met", ha="left")
+    write(ax, (20.9, 7.2), "grey: all demands met", ha="left")
     arrow = {"arrowstyle": "-|>", "color": GREY}
-    ax.annotate("", xy=((enough + fine) / 2, 10.2), xytext=(22.9, 8.1), arrowprops=arrow)
+    ax.annotate("", xy=((enough + fine) / 2, 10.2), xytext=(22.5, 7.6), arrowprops=arrow)
     ax.set(xlabel="turn of each camera (°)", ylabel="f-number (no unit)")
     ax.set(xlim=(1, 30), ylim=(0, 17))
     return fig

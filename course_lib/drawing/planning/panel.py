@@ -23,6 +23,7 @@ from course_lib.planning import (
 from course_lib.planning.setup import motion_blur
 
 if TYPE_CHECKING:
+    from data_generators.defocus import DefocusedView
     from data_generators.quick import QuickRenderer
     from data_generators.scene import Scene
 
@@ -188,7 +189,8 @@ def close_up(setup: Setup, end: int, side: int = 64) -> Pixels:
 
 
 @cache
-def _defocused(end: int):  # type: ignore[no-untyped-def]
+def _defocused(end: int) -> DefocusedView:
+    """Return the view of one end; each keeps its layers while only the blur changes."""
     from data_generators.defocus import DefocusedView
 
     return DefocusedView(panel(), breathes=False)

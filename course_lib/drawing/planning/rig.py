@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -81,7 +81,7 @@ def failures() -> Figure:
     fig, axes = panels(1, 4, (FULL_WIDTH, 2.4))
     names = ("as planned", "f/4 instead of f/10", "1/1000 s", "1/20000 s")
     setup = chosen()
-    changes = (
+    changes: tuple[dict[str, Any], ...] = (
         {},
         {"N": 4.0},
         {"exposure_time": 1 / 1000},
@@ -131,7 +131,7 @@ def _rooms(ax: Axes, setup: Setup, margins: Floats) -> None:
     """Write the room beside each edge of the picture."""
     width, height = setup.view.image_size
     left, right, top, bottom = (f"{room:.0f} px" for room in margins)
-    look = {"color": "white", "ha": "center", "va": "center", "fontsize": 10}
+    look: dict[str, Any] = {"color": "white", "ha": "center", "va": "center", "fontsize": 10}
     ax.text(margins[0] / 2 + 4, height / 2, left, rotation=90, **look)
     ax.text(width - margins[1] / 2 - 4, height / 2, right, rotation=90, **look)
     ax.text(width / 2, margins[2] / 2, top, **look)

@@ -1,0 +1,133 @@
+"""The gravel pit: its ground, the area to be flown, and how often each place is seen."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from course_lib.planning import FlightPlan, LensModel, plan_flight, read_cameras, read_lenses
+from course_lib.planning.catalogue import CameraModel
+from course_lib.planning.strips import inside_polygon
+
+Floats = NDArray[np.float64]
+
+#: The area of the text: corners, east and north, m.
+AREA = ((30.0, 30.0), (270.0, 30.0), (270.0, 180.0), (30.0, 210.0))
+EXTENT = (300.0, 240.0)  # m: of the map
+CELL = 10.0  # m: of the grid on which pictures are counted
+PIT, HALF_AXES, DEPTH, WALL = (140.0, 115.0), (80.0, 55.0), 20.0, 2.5  # m
+HEAP, RADIUS, TOP = (235.0, 70.0), 24.0, 14.0  # m
+#: Cameras of the catalogue that fly, with their lenses.
+DRONES = {
+    "DJI Phantom 4 RTK": "Phantom 4 RTK lens",
+    "DJI Zenmuse P1": "DJI DL 35 mm F2.8 LS ASPH",
+}
+AZIMUTHS = np.arange(0, 360, 10)  # degrees: in which horizons are looked up
+REACH = np.concatenate([np.arange(1.0, 20, 1.0), np.geomspace(20, 140, 20)])  # m: how far
+
+
+def ground(x: ArrayLike, y: ArrayLike) -> Floats:
+    """Return the heights of the gravel pit: a hole with steep walls, and a heap beside it, m."""
+    x, y = np.asarray(x, float), np.asarray(y, float)
+    across = np.hypot((x - PIT[0]) / HALF_AXES[0], (y - PIT[1]) / HALF_AXES[1])
+    within = (1 - across) * min(HALF_AXES) / WALL  # 0 at the edge, 1 at the foot of the wall
+    heap = TOP * np.clip(1 - np.hypot(x - HEAP[0], y - HEAP[1]) / RADIUS, 0, None)
+    return np.asarray(heap - DEPTH * np.clip(within, 0, 1))
+
+
+def drone(name: str = "DJI Phantom 4 RTK") -> tuple[CameraModel, LensModel]:
+    """Return a flying camera of the catalogue, and its lens."""
+    return read_cameras()[name], read_lenses()[DRONES[name]]
+
+
+def flight(
+    gsd: float = 0.02,
+    forward: float = 0.8,
+    side: float = 0.6,
+    heading: float = np.pi / 2,
+    area: ArrayLike = AREA,
+    name: str = "DJI Phantom 4 RTK",
+) -> FlightPlan:
+    """Return a flight over the pit, by default that of the text: strips from west to east."""
+    return plan_flight(area, *drone(name), gsd, forward, side, heading)
+
+
+@cache
+def grid() -> Floats:
+    """Return the places where pictures are counted, rows from north to south, (N, 3), m."""
+    x = np.arange(CELL / 2, EXTENT[0], CELL)
+    y = np.arange(EXTENT[1] - CELL / 2, 0, -CELL)
+    places = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+    return np.column_stack([places, ground(*places.T)])
+
+
+@cache
+def horizons() -> Floats:
+    """Return how steep the ground rises around each place of the grid, (N, 37).
+
+    The tangent of the horizon's height in each azimuth, clockwise from north; the last column is
+    the first one again.
+    """
+    turn = np.radians(AZIMUTHS)
+    steps = REACH[:, None, None] * np.stack([np.sin(turn), np.cos(turn)], axis=-1)
+    around = grid()[:, None, None, :2] + steps
+    rise = ground(around[..., 0], around[..., 1]) - grid()[:, 2, None, None]
+    highest = (rise / REACH[:, None]).max(axis=1)
+    return np.concatenate([highest, highest[:, :1]], axis=1)
+
+
+def counts(plan: FlightPlan, hilly: bool = True) -> NDArray[np.intp]:
+    """Return how many pictures show each place of the grid.
+
+    Parameters
+    ----------
+    plan : FlightPlan
+        The flight.
+    hilly : bool
+        Whether the ground is the pit's, or flat.
+
+    Returns
+    -------
+    ndarray of int, shape (N,)
+        Quicker than `course_lib.planning.views_of_ground`: horizons are looked up.
+    """
+    points = grid() if hilly else grid() * [1, 1, 0]
+    seen, number = in_footprints(plan, points)
+    if hilly:
+        free = _free(points, plan.centres, seen, number)
+        number = number[free]
+    return np.bincount(number, minlength=len(points))
+
+
+def in_footprints(plan: FlightPlan, points: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return which picture could show which point: pairs of their numbers."""
+    sine, cosine = np.sin(plan.heading), np.cos(plan.heading)
+    turn = np.array([[sine, cosine], [cosine, -sine]])  # along, across
+    here = (points[:, :2] @ turn.T).astype(np.float32)
+    there = (plan.centres[:, :2] @ turn.T).astype(np.float32)
+    half = np.array(plan.image_size)[::-1] / 2 / plan.K[0, 0]
+    reach = ((plan.H - points[:, 2, None]) * half).astype(np.float32)
+    near = np.abs(there[:, None, 0] - here[:, 0]) <= reach[:, 0]
+    near &= np.abs(there[:, None, 1] - here[:, 1]) <= reach[:, 1]
+    seen, number = np.nonzero(near)
+    return seen, number
+
+
+def _free(
+    points: Floats, centres: Floats, seen: NDArray[np.intp], number: NDArray[np.intp]
+) -> NDArray[np.bool_]:
+    """Return which pairs of picture and point have no ground between them."""
+    way = (centres[seen] - points[number]).astype(np.float32)
+    azimuth = np.degrees(np.arctan2(way[:, 0], way[:, 1])) % 360 / AZIMUTHS[1]
+    below = azimuth.astype(np.intp)
+    share = azimuth - below
+    table = horizons()
+    horizon = (1 - share) * table[number, below] + share * table[number, below + 1]
+    return np.asarray(way[:, 2] >= horizon * np.hypot(way[:, 0], way[:, 1]))
+
+
+def in_area(area: ArrayLike) -> NDArray[np.bool_]:
+    """Return which places of the grid lie in a polygon."""
+    return inside_polygon(grid()[:, :2], np.asarray(area, float))
