@@ -9,6 +9,17 @@ from numpy.typing import ArrayLike
 
 from course_lib.drawing.diagrams import dimension, figure, fit, panels, sketch, stroke, write
 from course_lib.drawing.planning.site import (
+    DEPTH,
+    EXTENT,
+    HALF_AXES,
+    PIT,
+    WALL,
+    Floats,
+    counts,
+    flight,
+    grid,
+    ground,
+)
     EXTENT,
     Floats,
     counts,

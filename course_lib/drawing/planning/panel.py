@@ -89,11 +89,12 @@ def pair(
 @cache
 def panel() -> Scene:
     """Return the panel with its ribs, marks and stars, before a dark wall."""
+    from data_generators.bodies import at
     from data_generators.scene import Patch, Scene, box
     from data_generators.targets import siemens_star
 
-    wall = Patch((-6, 2, 4), (12, 0, 0), (0, 0, -8), np.array((70, 74, 80)))
-    plate = Patch((-0.3, 0.03, 0.25), (0.6, 0, 0), (0, 0, -0.5), _dots())
+    wall = Patch(at(-6, 2, 4), at(12, 0, 0), at(0, 0, -8), np.array((70, 74, 80)))
+    plate = Patch(at(-0.3, 0.03, 0.25), at(0.6, 0, 0), at(0, 0, -0.5), _dots())
     grey = np.array((150, 154, 160))
     ribs = [
         face
@@ -103,7 +104,7 @@ def panel() -> Scene:
     edge = box((0.264, -0.0299, -0.25), (0.036, 0.06, 0.5), grey, grey)
     star = siemens_star(STAR_PX, 16)
     stars = [
-        Patch(np.add(middle, (-STAR / 2, -1e-4, STAR / 2)), (STAR, 0, 0), (0, 0, -STAR), star)
+        Patch(middle + at(-STAR / 2, -1e-4, STAR / 2), at(STAR, 0, 0), at(0, 0, -STAR), star)
         for middle in ENDS
     ]
     return Scene((wall, plate, *ribs, *edge, *stars), (70, 74, 80))

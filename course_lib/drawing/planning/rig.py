@@ -51,7 +51,7 @@ def rig() -> Figure:
     show_face(ax, view, plate, "object", alpha=0.15)
     for setup, name in zip(pair(DISTANCE, TURN, N, TIME), ("right", "left"), strict=True):
         show_frustum(ax, view, setup.view, 0.35, "")
-        show_path(ax, view, [setup.eye, (0, 0, 0)], "ray", lw=1, ls="--")
+        show_path(ax, view, np.array([setup.eye, np.zeros(3)]), "ray", lw=1, ls="--")
         write(ax, np.add(view.project(setup.eye), (0, 26)), f"{name} camera", "camera")
     u, v = view.project((0.3, 0, 0.25))
     write(ax, (u + 12, v - 16), "box: 600 × 60 × 500 mm", "object", ha="left")

@@ -130,4 +130,4 @@ def _free(
 
 def in_area(area: ArrayLike) -> NDArray[np.bool_]:
     """Return which places of the grid lie in a polygon."""
-    return inside_polygon(grid()[:, :2], np.asarray(area, float))
+    return np.asarray(inside_polygon(grid()[:, :2], np.asarray(area, float)), bool)
