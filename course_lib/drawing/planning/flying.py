@@ -20,13 +20,6 @@ from course_lib.drawing.planning.site import (
     grid,
     ground,
 )
-    EXTENT,
-    Floats,
-    counts,
-    flight,
-    grid,
-    ground,
-)
 from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
 
 if TYPE_CHECKING:
