@@ -182,6 +182,16 @@ def test_bars_are_as_high_as_the_errors():
         np.testing.assert_allclose(heights, expected)
 
 
+def test_bars_have_no_more_digits_than_chance_leaves():
+    said = [[text.get_text() for text in ax.texts][::2] for ax in draw.methods_compared().axes]
+    assert said == [
+        ["15"] * 3,
+        ["7.0", "7.0", "6.2"],
+        ["3.2", "3.2", "0.62"],
+        ["240", "250", "240"],
+    ]
+
+
 def test_the_matcher_finds_a_pair_that_we_shift():
     rng = np.random.default_rng(4)
     wide = rng.integers(0, 255, (120, 400, 3), dtype=np.uint8)

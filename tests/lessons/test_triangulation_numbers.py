@@ -1,5 +1,9 @@
 """The numbers that the text of chapter 09 states are those that the library computes."""
 
+import ast
+import builtins
+import re
+
 import numpy as np
 import pytest
 from lesson_text import lesson_text
@@ -49,6 +53,23 @@ def test_points_of_all_exercises():
     assert [TEXT.index(f"\n{name}\n") for name in graded[:-1]] == sorted(
         TEXT.index(f"\n{name}\n") for name in graded[:-1]
     )
+
+
+def test_the_second_sitting_needs_no_cell_of_the_first():
+    cells = re.findall(r"```{code-cell} ipython3\n(.*?)```", TEXT, flags=re.DOTALL)
+    second = re.findall(
+        r"```{code-cell} ipython3\n(.*?)```", TEXT[TEXT.index("## Second") :], flags=re.DOTALL
+    )
+    assert 10 < len(second) < len(cells)
+    code = "\n".join([cells[0], *(c for c in second if "[exercise]" not in c)])
+    names = [node for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Name)]
+    known = {node.id for node in names if isinstance(node.ctx, ast.Store)} | set(dir(builtins))
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            known |= {(alias.asname or alias.name).split(".")[0] for alias in node.names}
+    graded = [e.name for e in all_exercises("triangulation")]
+    known |= {n.split(".")[1] for n in graded if f"\n{n}\n" in "".join(second)}
+    assert {node.id for node in names} <= known
 
 
 # First sitting
@@ -133,11 +154,11 @@ def test_the_methods_compared():
         about(6.24, 2),
     )
     assert whole[unequal]["linear"] == about(6.97, 2)
-    says("falls from 6.97 to 6.24 mm")
+    says("falls from 7.0 to 6.2 mm")
     height = {n: methods.rms_mm(X[:, 2]) for n, X in methods.answers(unequal).items()}
     assert (height["midpoint"], height["refined"]) == (about(3.15, 2), about(0.62, 2))
     assert height["linear"] / height["refined"] == about(5, 0)
-    says("0.62 mm instead of 3.15 mm, *five times better*")
+    says("0.6 mm instead of 3.2 mm, *five times better*")
     far = {n: methods.rms_mm(X[:, 1]) for n, X in methods.answers(unequal).items()}
     assert max(far.values()) / min(far.values()) < 1.01  # what only the far camera sees
     assert whole[close]["midpoint"] / 10 == about(24, 0)
@@ -158,8 +179,14 @@ def test_more_cameras():
     assert (sideways_two, sideways_three) == (about(1.8, 1), about(1.5, 1))
     assert arc[16][0][0] == about(8.2, 1)
     assert methods.arc_errors(2, 4 * methods.ARC)[0][0] == about(3.7, 1)
-    says("does not get better at all (14.3 mm)", "1.8 mm become 1.5 mm", "down to 8.2 mm")
+    says("depth does not get better at all (14.3 mm)", "1.8 mm become 1.5 mm", "down to 8.2 mm")
     says("are at 3.7 mm")
+    assert methods.rms_mm(methods.answers("4 m away, 1 m apart")["refined"]) == about(14.5, 1)
+    straight = tri.point_covariance([0.5, 0, 4], uncertainty.PAIR, 0.5)
+    assert 1000 * np.sqrt(straight[2, 2]) == about(14.1, 1)
+    says(
+        "Here it is 14.3 mm", "The 15 mm of the bars are 14.5 before", "In section 8 it is 14.1 mm"
+    )
 
 
 # Second sitting
@@ -169,9 +196,13 @@ def test_disparity_and_depth():
     depths = tri.depth_from_disparity([45, 51.5], pair.F, pair.BASELINE, pair.OFFSET)
     assert depths.tolist() == [about(2523.9, 1), about(2325.2, 1)]
     assert about(192031.7, 0) == pair.F * pair.BASELINE
-    says("$f = 994.978$ px, $b = 193.001$ mm and $o = 31.086$ px", "192\\,031/76.086 = 2523.9$ mm")
+    says(
+        "$f = 994.978$ px, $b = 193.001$ mm and $\\Delta c = 31.086$ px",
+        "192\\,031/76.086 = 2523.9$ mm",
+    )
     assert true_points()[:, 2].tolist() == [about(2529.1, 1), about(2326.0, 1)]
     d = pair.F * pair.BASELINE / np.array([2000, 2500, 4000, 5000])
+    assert pair.OFFSET < d[0] < 70 + pair.OFFSET  # 2 m is in the figure
     assert (-np.diff(d)[[0, 2]]).tolist() == [about(19, 0), about(10, 0)]
     says("From 2 to 2.5 m the disparity falls by 19 px, from 4 to 5 m by 10 px only")
     says("It says 2529.1 and 2326.0 mm; by hand we have 2523.9 and 2325.2 mm")
@@ -183,12 +214,22 @@ def test_the_windows_of_the_explorer():
         return read(frame, "Disparity"), read(frame, "True disparity")
 
     assert [at(97, 208, reach)[0] for reach in (4, 12, 1)] == [45.0, 45.0, 44.2]
-    says("45.0 px with 4 px and with 12 px, and 44.2 px with 1 px")
+    says("45.0 px with 4 px and with 12 px, and 44.2 px with 1 px to each side")
     assert (at(570, 220, 4), at(570, 220, 12)[0]) == ((20.4, 20.0), 50.6)
     says("20.4 px with 4 px; the truth is 20.0. With 12 px it is 50.6")
-    assert at(260, 70, 4) == (1.5, 12.3)
+    assert [at(260, 70, reach)[0] for reach in (1, 2, 4, 8, 12)] == [1.6, 0.0, 1.5, 3.7, 4.6]
+    assert at(260, 70, 4)[1] == 12.3
+    lamp, door = (disparity.search(*uv, 4).differences for uv in ((97, 208), (260, 70)))
+    assert (lamp.min(), lamp.max()) == (about(10, 0), about(112, 0))
+    assert (door.min(), door[12]) == (about(1.4, 1), about(2.5, 1))
+    says("is 1.4 grey levels, and that at the true place 2.5", "10 at the right place, up to 112")
     assert all(abs(at(260, 70, reach)[0] - 12.3) > 2 for reach in range(1, 13))
-    says("1.5 px instead of 12.3 px")
+    says("No: 1.6, 0.0, 1.5, 3.7 and 4.6 px with 1, 2, 4, 8 and 12 px to each side")
+    depth = next(r.value for r in disparity_frame(260, 70, 4).readouts if r.label == "Depth")
+    assert depth == "5891 ± 63"
+    true = float(tri.depth_from_disparity(at(260, 70, 4)[1], pair.F, pair.BASELINE, pair.OFFSET))
+    assert (5891 - true) / 1000 == about(1.5, 1)
+    says("5891 ± 63 mm, and it is wrong by a metre and a half")
 
 
 def test_the_uncertainty_of_depth():
@@ -273,6 +314,9 @@ def test_the_bench():
         return [read(frame, name) for name in ("Sideways", "In depth", "Height")]
 
     assert at(1, 4, 0) == [1.77, 14.14, 1.77]
+    assert read(bench.bench_frame(1, 4, 0, 0, 0.5, False), "One ray is off by") == 2.50
+    assert 2.50 / np.sqrt(2) == about(1.77, 2)
+    says("$Z\\sigma/f = 4000\\cdot 0.5/800 = 2.50$ mm", "the mean of two by $2.50/\\sqrt2$")
     assert at(2, 4, 0) == [1.77, 7.07, 1.77]
     says("from 14.14 to 7.07 mm. $\\sigma_X$ stays at 1.77 mm")
     assert [r.label for r in bench.bench_frame(4, 4, 0, 0, 0.5, False).readouts] == [
@@ -294,6 +338,9 @@ def test_how_sure_the_length_is():
     g = (points[0] - points[1]) / length(points)
     sigma = np.sqrt(g @ C[0] @ g + g @ C[1] @ g)
     assert (length(points), sigma) == (about(1241.8, 1), about(4.9, 1))
+    assert g.tolist() == [about(-0.93, 2), about(-0.33, 2), about(0.16, 2)]
+    assert [np.sqrt(g @ c @ g) for c in C] == [about(4.8, 1), about(1.0, 1)]
+    says("g = (-0.93, -0.33, 0.16)$", "The lamp gives $4.8^2$ mm², the axle $1.0^2$ mm²")
     assert np.sqrt(C[:, 2, 2]).tolist() == [about(12, 0), about(10, 0)]
     assert length(true_points()) == about(1244.3, 1)
     assert length(true_points()) - length(points) == about(2.5, 1)
@@ -311,10 +358,16 @@ def test_the_plane_of_light():
     assert np.sqrt(np.mean(plane._off(points) ** 2)) == about(0.13, 2)
     assert plane.profile(np.array([10.0, 0.0])).tolist() == [12, 8]
     assert np.linalg.norm(plane.EYE) == 500
+    assert (plane.K[0, 0], plane.NOISE) == (1200, 0.2)
+    across, sine = 0.2 * 500 / 1200, -plane.EYE[1] / 500  # the eye is so far before the plane
+    assert (across, np.degrees(np.arcsin(sine))) == (about(0.083, 3), about(37, 0))
+    assert across / sine == about(0.14, 2)
     says(
-        "the groove is 4 mm deep. Noise of 0.2 px leaves 0.13 mm",
+        "The groove is 4 mm deep, and your points are off by 0.13 mm",
+        "$0.2\\cdot 500/1200 = 0.083$ mm",
+        "plane at 37°, so in height it becomes $0.083/\\sin 37° = 0.14$ mm",
         "from 50 cm",
-        "12 mm with a groove",
+        "12 mm high with a groove",
     )
 
 

@@ -95,11 +95,10 @@ def methods_compared() -> Figure:
         bars = ax.bar(
             list(errors), list(errors.values()), color=[ROLES[r] for r in METHODS.values()]
         )
-        digits = 0 if max(errors.values()) > 100 else 2
         low = -0.04 * max(errors.values())
         for bar, (name, value) in zip(bars, errors.items(), strict=True):
             x = bar.get_x() + bar.get_width() / 2
-            ax.text(x, value * 1.02, f"{value:.{digits}f}", ha="center", va="bottom", fontsize=10)
+            ax.text(x, value * 1.02, _two_digits(value), ha="center", va="bottom", fontsize=10)
             ax.text(x, low, name, ha="center", va="top", rotation=90, fontsize=10)
         ax.set_title(f"{setup}\n{part}", fontsize=10)
         ax.set_ylim(-0.42 * max(errors.values()), 1.14 * max(errors.values()))
@@ -108,6 +107,12 @@ def methods_compared() -> Figure:
         ax.spines[:].set_visible(False)
     axes[0].set_ylabel("RMS error (mm)")
     return fig
+
+
+def _two_digits(value: float) -> str:
+    """Return a positive number as text, with two digits: chance leaves no more of them."""
+    after = 1 - int(np.floor(np.log10(value)))
+    return f"{round(value, after):.{max(after, 0)}f}"
 
 
 @figure("More cameras within the same angle help little; a wider angle helps much.")

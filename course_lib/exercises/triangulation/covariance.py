@@ -93,19 +93,19 @@ POINT_COVARIANCE = Exercise(
         ),
         Misconception(
             wrong.depth_taken_for_constant,
-            "Both a and c change with the point. What does the change of c do to u?",
+            "Both x and w change with the point. What does the change of w do to u?",
         ),
         Misconception(
             wrong.sign_in_the_derivative,
-            "If only c grows, does u become larger or smaller? What sign has that part in J?",
+            "If only w grows, does u become larger or smaller? What sign has that part in J?",
         ),
         Misconception(
             wrong.only_one_term_divided,
-            "Both parts of the derivative are divided by c. Where are your brackets?",
+            "Both parts of the derivative are divided by w. Where are your brackets?",
         ),
         Misconception(
             wrong.pixels_not_divided,
-            "a and b are not pixels yet. What are they divided by?",
+            "x and y are not pixels yet. What are they divided by?",
         ),
         Misconception(
             wrong.same_pixel_in_both_rows,

@@ -47,7 +47,7 @@ def closest_points_on_rays(origin1, direction1, origin2, direction2):
 def triangulate_midpoint(pixel1, pixel2, P1, P2):
     """Return the point halfway between the rays of two pixels.
 
-    A camera matrix is ``P = [M p]`` with M of shape (3, 3). Its centre is ``C = -M⁻¹ p``, and the
+    A camera matrix is ``P = [M q]`` with M of shape (3, 3). Its centre is ``o = -M⁻¹ q``, and the
     ray of the pixel (u, v) goes from there in the direction ``M⁻¹ (u, v, 1)``.
     `closest_points_on_rays` of `course_lib.triangulation` tells where two rays come closest.
 
@@ -114,8 +114,8 @@ def triangulate_linear(pixels, cameras):
 def refine_point(point, pixels, cameras):
     """Return a point after one Gauss–Newton step towards the smallest reprojection error.
 
-    With ``(a, b, c) = P (X, Y, Z, 1)`` the camera's pixel is ``u = a/c``, ``v = b/c``. Its
-    derivatives by X, Y, Z are the rows ``(m1 - u m3)/c`` and ``(m2 - v m3)/c``: m1, m2, m3 are the
+    With ``(x, y, w) = P (X, Y, Z, 1)`` the camera's pixel is ``u = x/w``, ``v = y/w``. Its
+    derivatives by X, Y, Z are the rows ``(m1 - u m3)/w`` and ``(m2 - v m3)/w``: m1, m2, m3 are the
     rows of P without their last number.
 
     Parameters
@@ -144,10 +144,10 @@ def refine_point(point, pixels, cameras):
     """
     J, r = [], []
     for pixel, P in zip(pixels, cameras, strict=True):
-        a, b, c = P @ np.append(point, 1)
-        u, v = a / c, b / c
-        J.append((P[0, :3] - u * P[2, :3]) / c)
-        J.append((P[1, :3] - v * P[2, :3]) / c)
+        x, y, w = P @ np.append(point, 1)
+        u, v = x / w, y / w
+        J.append((P[0, :3] - u * P[2, :3]) / w)
+        J.append((P[1, :3] - v * P[2, :3]) / w)
         r.append(u - pixel[0])
         r.append(v - pixel[1])
     step = np.linalg.lstsq(np.array(J), -np.array(r), rcond=None)[0]
@@ -155,7 +155,7 @@ def refine_point(point, pixels, cameras):
 
 
 def depth_from_disparity(disparity, f, baseline, offset):
-    """Return how far away points are that a rectified pair shows apart, ``Z = f b / (d + o)``.
+    """Return how far away points are that a rectified pair shows apart, ``Z = f b / (d + Δc)``.
 
     Parameters
     ----------
@@ -166,12 +166,12 @@ def depth_from_disparity(disparity, f, baseline, offset):
     baseline : float
         Distance b of the cameras, mm.
     offset : float
-        ``o = cx_right - cx_left`` in px: by how much the principal points differ.
+        ``Δc = cx_right - cx_left`` in px: by how much the principal points differ.
 
     Returns
     -------
     ndarray, shape (N,)
-        Depths, mm. If ``d + o`` is zero or negative for any of the points, the function raises a
+        Depths, mm. If ``d + Δc`` is zero or negative for any of the points, the function raises a
         ValueError instead: such a match is wrong, or its point infinitely far away.
 
     Examples
@@ -265,7 +265,7 @@ def point_covariance(point, cameras, sigma):
     -------
     ndarray, shape (3, 3)
         Covariance of X, Y and Z. J has two rows for each camera, as in `refine_point`: the
-        derivatives ``(m1 - u m3)/c`` and ``(m2 - v m3)/c`` of the pixel that shows the point.
+        derivatives ``(m1 - u m3)/w`` and ``(m2 - v m3)/w`` of the pixel that shows the point.
 
     Examples
     --------
@@ -277,8 +277,8 @@ def point_covariance(point, cameras, sigma):
     """
     rows = []
     for P in cameras:
-        a, b, c = P @ np.append(point, 1)
-        rows.append((P[0, :3] - a / c * P[2, :3]) / c)
-        rows.append((P[1, :3] - b / c * P[2, :3]) / c)
+        x, y, w = P @ np.append(point, 1)
+        rows.append((P[0, :3] - x / w * P[2, :3]) / w)
+        rows.append((P[1, :3] - y / w * P[2, :3]) / w)
     J = np.array(rows)
     return sigma**2 * np.linalg.inv(J.T @ J)

@@ -159,19 +159,19 @@ REFINE_POINT = Exercise(
         ),
         Misconception(
             step.depth_taken_for_constant,
-            "Both a and c change with the point. What does the change of c do to u?",
+            "Both x and w change with the point. What does the change of w do to u?",
         ),
         Misconception(
             step.sign_in_the_derivative,
-            "If only c grows, does u become larger or smaller? What sign has that part in J?",
+            "If only w grows, does u become larger or smaller? What sign has that part in J?",
         ),
         Misconception(
             step.only_one_term_divided,
-            "Both parts of the derivative are divided by c. Where are your brackets?",
+            "Both parts of the derivative are divided by w. Where are your brackets?",
         ),
         Misconception(
             step.squared_depth,
-            "How often is your derivative divided by c: is one c in u already?",
+            "How often is your derivative divided by w: is one w in u already?",
         ),
         Misconception(
             step.same_pixel_in_both_rows,
@@ -179,7 +179,7 @@ REFINE_POINT = Exercise(
         ),
         Misconception(
             step.depth_in_the_world,
-            "c is the depth before this camera. Is that the Z of the world?",
+            "w is the depth before this camera. Is that the Z of the world?",
         ),
         Misconception(
             step.columns_for_rows,
@@ -208,7 +208,7 @@ REFINE_POINT = Exercise(
         ),
         Misconception(
             step.pixels_not_divided,
-            "a and b are not pixels yet. What are they divided by?",
+            "x and y are not pixels yet. What are they divided by?",
         ),
         Misconception(
             step.downhill_only,

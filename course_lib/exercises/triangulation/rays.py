@@ -132,7 +132,7 @@ TRIANGULATE_MIDPOINT = Exercise(
         ),
         Misconception(
             middle.third_row_for_p,
-            "P has three rows and four columns. Is p a row or a column?",
+            "P has three rows and four columns. Is q a row or a column?",
         ),
         Misconception(
             middle.arguments_out_of_order,
@@ -149,7 +149,7 @@ TRIANGULATE_MIDPOINT = Exercise(
         ),
         Misconception(
             middle.last_column_for_the_centre,
-            "p is not yet the place of the camera. What does P make of its own centre?",
+            "q is not yet the place of the camera. What does P make of its own centre?",
             also=[middle.minus_last_column],
         ),
         Misconception(
