@@ -122,49 +122,52 @@ def several_shares(rng: Generator) -> Inputs:
     return any_share(rng) | {"share": rng.uniform(0.3, 0.9, 4).round(2)}
 
 
-def flight(rng: Generator, share: float) -> Inputs:
+def flight(rng: Generator, share: float, interval: float, blur: float) -> Inputs:
     """Choose the speed that the interval allows, and the smear's as a multiple of it."""
-    interval, in_time = rounded(rng, 1.5, 3.5, 1), rounded(rng, 5, 12, 1)
-    gsd, blur = rounded(rng, 0.015, 0.04, 3), rounded(rng, 0.4, 0.8, 1)
+    in_time, gsd = rounded(rng, 5, 12, 1), rounded(rng, 0.015, 0.04, 3)
     time = float(f"{blur * gsd / (share * in_time):.3g}")
     posed = {"base": round(in_time * interval, 2), "interval": interval, "gsd": gsd}
     return {**posed, "exposure_time": time, "blur": blur}
 
 
 def interval_decides(rng: Generator) -> Inputs:
-    return flight(rng, rng.uniform(1.3, 2.5))
+    interval, blur = rounded(rng, 1.5, 3.5, 1), rounded(rng, 0.4, 0.8, 1)
+    return flight(rng, rng.uniform(1.3, 2.5), interval, blur)
 
 
 def smear_decides(rng: Generator) -> Inputs:
-    return flight(rng, rng.uniform(0.4, 0.75))
+    interval, blur = rounded(rng, 1.5, 3.5, 1), rounded(rng, 0.4, 0.8, 1)
+    return flight(rng, rng.uniform(0.4, 0.75), interval, blur)
 
 
 def several_flights(rng: Generator) -> Inputs:
-    """Higher flights: base and ground sampling distance grow alike, and the smear's share not."""
-    one = flight(rng, 1.5)
+    """Draw flights by a faster camera: for some the interval decides, for some the smear."""
+    one = flight(rng, 1.5, rounded(rng, 0.4, 0.8, 1), rounded(rng, 1.5, 2.5, 1))
     base = one["base"] * np.array([0.7, 1, 1.3, 1.6])
     gsd = one["gsd"] * np.array([0.6, 1, 0.7, 1.7])
     return one | {"base": base.round(2), "gsd": gsd.round(4)}
 
 
-def rectangle(rng: Generator, strips: float) -> Inputs:
-    """Draw a field as wide as the footprint and a number of distances."""
+def rectangle(rng: Generator, pictures: float, strips: float) -> Inputs:
+    """Draw a field as long as some bases, and as wide as the footprint and some distances."""
     base, distance = float(rng.integers(11, 25)), float(rng.integers(26, 45))
-    across = round(distance * rng.uniform(2.2, 3.4))
-    length = round(base * (int(rng.integers(12, 30)) + float(rng.choice([0.25, 0.75]))), 1)
-    field = {"length": length, "width": round(across + strips * distance, 1), "base": base}
-    return {**field, "distance": distance, "footprint_width": float(across)}
+    across = float(round(distance * rng.uniform(2.2, 3.4)))
+    length, width = round(pictures * base, 2), round(across + strips * distance, 2)
+    steps = {"base": base, "distance": distance, "footprint_width": across}
+    return {"length": length, "width": width, **steps}
 
 
 def field(rng: Generator) -> Inputs:
-    return rectangle(rng, int(rng.integers(4, 9)) + float(rng.choice([0.25, 0.75])))
+    return rectangle(rng, rng.integers(12, 20) + 0.25, rng.integers(3, 6) + 0.75)
+
+
+def larger_field(rng: Generator) -> Inputs:
+    return rectangle(rng, rng.integers(25, 35) + 0.75, rng.integers(6, 9) + 0.25)
 
 
 def even_field(rng: Generator) -> Inputs:
-    """Choose base and distance so that they go into the field without a rest."""
-    posed = rectangle(rng, float(rng.integers(4, 9)))
-    return posed | {"length": posed["base"] * float(rng.integers(12, 30))}
+    return rectangle(rng, float(rng.integers(12, 30)), float(rng.integers(4, 9)))
 
 
 def narrow_field(rng: Generator) -> Inputs:
-    return rectangle(rng, -float(rng.choice([1.25, 1.5])))
+    return rectangle(rng, rng.integers(12, 30) + 0.5, -float(rng.choice([1.25, 1.5])))

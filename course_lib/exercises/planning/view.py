@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from course_lib.exercises.planning import inputs, plain
+from course_lib.exercises.planning import resolution_misconceptions as coarse
 from course_lib.exercises.planning import view_misconceptions as wrong
 from course_lib.judging import Exercise, Misconception, Part
 
@@ -12,7 +13,7 @@ BOX_IN_VIEW = Exercise(
     points=8,
     parts={
         "a box at rest": Part(inputs.at_rest, cases=1, weight=3),
-        "a box that moves": Part(inputs.moving, cases=2, weight=4),
+        "a box that moves": Part(inputs.moving, cases=1, weight=4),
         "a corner behind the camera": Part(inputs.around_the_camera, cases=1, weight=1),
     },
     forbidden=("course_lib.planning.view.box_in_view",),
@@ -130,67 +131,67 @@ OBJECT_RESOLUTION = Exercise(
     forbidden=("course_lib.planning.view.object_resolution",),
     misconceptions=[
         Misconception(
-            wrong.millimetres,
+            coarse.millimetres,
             "In which unit is your answer, and which one is asked for?",
-            also=[wrong.micrometres, wrong.focal_length_in_mm],
+            also=[coarse.micrometres, coarse.focal_length_in_mm],
         ),
         Misconception(
-            wrong.pitch_upside_down,
+            coarse.pitch_upside_down,
             "A longer lens sees finer details. Does yours?",
         ),
         Misconception(
-            wrong.pixels_per_metre,
+            coarse.pixels_per_metre,
             "That is how many pixels there are in a metre. How many metres are there in a pixel?",
-            also=[wrong.pixels_per_metre_tilted],
+            also=[coarse.pixels_per_metre_tilted],
         ),
         Misconception(
-            wrong.distance_below,
+            coarse.distance_below,
             "Farther away, a pixel covers more. Does your answer grow with the distance?",
         ),
         Misconception(
-            wrong.distance_left_out,
+            coarse.distance_left_out,
             "Your answer does not know how far away the surface is. Where does that come in?",
         ),
         Misconception(
-            wrong.lens_left_out,
+            coarse.lens_left_out,
             "Your answer is the same with any lens. What does the focal length do?",
         ),
         Misconception(
-            wrong.tilt_forgotten,
+            coarse.tilt_forgotten,
             "Right for a surface that faces the camera. What does foreshortening do to the other?",
         ),
         Misconception(
-            wrong.times_the_cosine,
+            coarse.times_the_cosine,
             "Seen from the side, does a pixel cover more of the surface, or less?",
         ),
         Misconception(
-            wrong.coarsest_first,
+            coarse.coarsest_first,
             "Which of your two numbers is the finer one, and which is asked for first?",
         ),
         Misconception(
-            wrong.finer_by_a_tilt,
+            coarse.finer_by_a_tilt,
             "Can a surface be seen finer by tilting it away?",
         ),
         Misconception(
-            wrong.both_tilted,
+            coarse.both_tilted,
             "Along the axis about which it is tilted: is the surface foreshortened there?",
         ),
         Misconception(
-            wrong.sine_for_cosine,
+            coarse.sine_for_cosine,
             "Without any tilt nothing should change. What does your angle function give there?",
-            also=[wrong.tangent_for_cosine],
+            also=[coarse.tangent_for_cosine],
         ),
         Misconception(
-            wrong.radians_of_radians,
+            coarse.radians_of_radians,
             "In which unit does the tilt come, and which one does `np.cos` want?",
-            also=[wrong.degrees_of_radians],
+            also=[coarse.degrees_of_radians],
         ),
         Misconception(
-            wrong.cosine_twice,
+            coarse.cosine_twice,
             "You foreshorten twice. By which factor is a tilted line shorter?",
         ),
         Misconception(
-            wrong.one_number_only,
+            coarse.one_number_only,
             "That is the coarsest direction. Which two numbers are asked for?",
         ),
     ],
