@@ -70,13 +70,15 @@ def make_library(folder: Path, hidden: frozenset[str]) -> Path:
     target = folder / f"library-{name}"
     if not target.exists():
         growing = folder / f"library-{name}.part"
+        shutil.rmtree(growing, ignore_errors=True)
         for package, module in PACKAGES.items():
             source = Path(str(module.__file__)).parent
             shutil.copytree(source, growing / package, ignore=_left_out(source, package))
         plain = growing / "course_lib/sandbox/plain_notebook.py"
-        shutil.copyfile(plain, growing / "course_lib/notebook.py")
+        shutil.copyfile(plain, growing / "course_lib/notebook.py")  # with a time of its own
         for full_name in hidden:
             _hide(growing, full_name)
+        _drop_stale(growing)
         growing.rename(target)
     return target
 
@@ -85,12 +87,22 @@ def _left_out(source: Path, package: str):  # type: ignore[no-untyped-def]
     """Return what `shutil.copytree` asks which files to leave out."""
 
     def ignore(folder: str, names: Sequence[str]) -> set[str]:
-        unwanted = {name for name in names if name == "__pycache__" or name.endswith(".pyc")}
-        if Path(folder) == source:
-            unwanted |= set(LEFT_OUT[package])
-        return unwanted
+        return set(LEFT_OUT[package]) & set(names) if Path(folder) == source else set()
 
     return ignore
+
+
+def _drop_stale(library: Path) -> None:
+    """Remove what Python compiled of modules that are not there any more, or are others now.
+
+    The rest saves a second at every start. Python tells a changed module by its time.
+    """
+    for compiled in library.rglob("*.pyc"):
+        source = compiled.parents[1] / f"{compiled.name.partition('.')[0]}.py"
+        header = compiled.read_bytes()[:16]
+        known = int.from_bytes(header[8:12], "little")
+        if not source.exists() or int(source.stat().st_mtime) & 0xFFFFFFFF != known:
+            compiled.unlink()
 
 
 def _hide(library: Path, full_name: str) -> None:

@@ -12,6 +12,7 @@ import re
 import symtable
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 from IPython.core.inputtransformer2 import TransformerManager
@@ -105,7 +106,7 @@ def _slices(notebook: NotebookNode, untouched: set[str], checks: set[int]) -> di
     """Return for each given cell what of it is run: all but what it shows, or nothing."""
     wanted: set[str] = set()
     cells = [(i, c) for i, c in enumerate(notebook.cells) if c.cell_type == "code"]
-    showing = {name for _, cell in cells for name in _showing(cell.source)}
+    showing = frozenset(name for _, cell in cells for name in _showing(cell.source))
     own = [cell.source for i, cell in cells if i not in checks and not _is_given(cell, untouched)]
     for source in own:
         wanted |= names_used(source)
@@ -132,7 +133,8 @@ def _is_given(cell: NotebookNode, untouched: set[str]) -> bool:
     return cell.source.strip() in untouched
 
 
-def names_used(source: str) -> set[str]:
+@lru_cache(maxsize=4096)  # most cells of a class are alike
+def names_used(source: str) -> frozenset[str]:
     """Return the names of variables that a cell does not make itself, or that it may change.
 
     Parameters
@@ -142,49 +144,51 @@ def names_used(source: str) -> set[str]:
 
     Returns
     -------
-    set of str
+    frozenset of str
         In a cell that cannot be read, every word.
     """
     try:
         plain = TransformerManager().transform_cell(source)
         tables = [symtable.symtable(plain, "cell", "exec")]
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return set(re.findall(r"[^\W\d]\w*", source))
+        return frozenset(re.findall(r"[^\W\d]\w*", source))
     names: set[str] = set()
     while tables:
         table = tables.pop()
         tables += table.get_children()
         module = table.get_type() == "module"
         names |= {s.get_name() for s in table.get_symbols() if module or s.is_global()}
-    return names
+    return frozenset(names)
 
 
-def _made(source: str) -> set[str]:
+@lru_cache(maxsize=4096)
+def _made(source: str) -> frozenset[str]:
     """Return the names that a given cell assigns, imports or defines; all it uses, if unsure."""
     try:
         table = symtable.symtable(source, "cell", "exec")
     except SyntaxError:
         return names_used(source)
-    return {s.get_name() for s in table.get_symbols() if s.is_assigned() or s.is_imported()} | {
-        child.get_name() for child in table.get_children()
-    }
+    bound = (s.get_name() for s in table.get_symbols() if s.is_assigned() or s.is_imported())
+    return frozenset([*bound, *(child.get_name() for child in table.get_children())])
 
 
-def _showing(source: str) -> set[str]:
+@lru_cache(maxsize=4096)
+def _showing(source: str) -> frozenset[str]:
     """Return the names under which a cell imports what shows figures."""
     try:
         nodes = list(ast.walk(ast.parse(source)))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return set()
-    return {
+        return frozenset()
+    return frozenset(
         alias.asname or alias.name
         for node in nodes
         if isinstance(node, ast.ImportFrom) and (node.module or "").startswith(SHOWING)
         for alias in node.names
-    }
+    )
 
 
-def _without_figures(source: str, showing: set[str]) -> str:
+@lru_cache(maxsize=4096)
+def _without_figures(source: str, showing: frozenset[str]) -> str:
     """Return a given cell without the statements that only show something."""
     try:
         body = ast.parse(source).body
@@ -197,7 +201,7 @@ def _without_figures(source: str, showing: set[str]) -> str:
     return "\n".join(kept).strip()
 
 
-def _only_shows(node: ast.stmt, showing: set[str]) -> bool:
+def _only_shows(node: ast.stmt, showing: frozenset[str]) -> bool:
     if not isinstance(node, ast.Expr) or not isinstance(node.value, ast.Call):
         return False
     function: ast.expr = node.value.func

@@ -60,9 +60,9 @@ def vet(
         return Answer(
             "not attempted", message=what_is_missing(exercise, reply["missing"])
         ), frozenset()
-    status: Status = reply.get("status", "raised")
-    if status not in get_args(Status):
+    if reply.get("status") not in get_args(Status):
         return crashed(), frozenset()
+    status: Status = reply["status"]
     hidden = frozenset(name for name in _texts(reply.get("hidden")) if "." in name)
     own = own_names(exercise)
     message = _text(reply.get("message"))

@@ -1,0 +1,257 @@
+"""A whole class through `course grade`: the same scores as by nbgrader's own command, and safe."""
+
+import fcntl
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbgrader.api import Gradebook
+from second_solutions import second_solutions
+from small_course import run
+
+from course_lib.authoring.expansion import check_id
+from course_lib.cli import main
+from course_lib.grading.isolation import why_not
+from data_generators.classes import PASTED, simulate_class, write_submissions
+
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(bool(why_not()), reason=why_not())]
+ASSIGNMENT = "01_pinhole"
+QUESTION = "pinhole-explain_flat_faces"
+UNREADABLE = {
+    "cut-off": "The notebook's file is damaged (line",
+    "empty-file": "The file is empty",
+    "renamed": "There is no 01_pinhole.ipynb, but my homework (final).ipynb",
+}
+
+
+@pytest.fixture(scope="module")
+def submissions(released_term):
+    path = released_term / "release" / ASSIGNMENT / f"{ASSIGNMENT}.ipynb"
+    released = nbformat.read(path, as_version=4)
+    return {s.student: s for s in simulate_class(released, "pinhole", second_solutions("pinhole"))}
+
+
+@pytest.fixture(scope="module")
+def new_term(released_term, tmp_path_factory, submissions):
+    """Make a copy of the term in which some of the class have handed in."""
+
+    def make(name, students):
+        term = tmp_path_factory.mktemp(name) / "term"
+        shutil.copytree(released_term, term)
+        shutil.rmtree(term / "submitted", ignore_errors=True)
+        text = (term / "nbgrader_config.py").read_text()
+        (term / "nbgrader_config.py").write_text(text + "c.AnswerOutside.cell_seconds = 5\n")
+        write_submissions(term, ASSIGNMENT, [submissions[student] for student in students])
+        return term
+
+    return make
+
+
+@pytest.fixture(scope="module")
+def term(new_term, submissions):
+    return new_term("course-grade", submissions)
+
+
+@pytest.fixture(scope="module")
+def command(term):
+    return run("course", "grade", ASSIGNMENT, cwd=term)
+
+
+def scores(term):
+    """Return all that the gradebook holds of the scores."""
+    with Gradebook(f"sqlite:///{term}/gradebook.db") as gradebook:
+        return {
+            submission.student.id: {
+                grade.name: (grade.auto_score, grade.manual_score, grade.needs_manual_grade)
+                for notebook in submission.notebooks
+                for grade in notebook.grades
+            }
+            for submission in gradebook.assignment_submissions(ASSIGNMENT)
+        }
+
+
+def test_scores_are_exactly_those_expected(term, command, submissions):
+    found = scores(term)
+    assert set(found) == set(submissions)
+    for student, submission in submissions.items():
+        got = {name: score for name, (score, *_) in found[student].items()}
+        if submission.points is None:
+            assert set(got.values()) == {None}, student
+        else:
+            points = {check_id(name): value for name, value in submission.points.items()}
+            assert {name: got[name] for name in points} == points, student
+
+
+def test_the_summary_says_what_to_tell_whom(command, submissions):
+    assert command.returncode == 1, command.stderr
+    graded = sum(s.points is not None for s in submissions.values())
+    assert f"{ASSIGNMENT}: {graded} graded." in command.stdout
+    for student, sentence in UNREADABLE.items():
+        assert f"{student}: {sentence}" in command.stdout
+    assert f"{PASTED}: more than one copy of" in command.stdout
+    assert "divides by focal length" in command.stdout
+    assert "Warning" not in command.stderr
+
+
+def test_nbgrader_goes_on_from_there(term, command):
+    feedback = run("nbgrader", "generate_feedback", ASSIGNMENT, cwd=term)
+    assert feedback.returncode == 0, feedback.stderr
+    page = term / "feedback/misconception-1" / ASSIGNMENT / f"{ASSIGNMENT}.html"
+    assert "course-verdict" in page.read_text(encoding="utf-8")
+    skipped = run("nbgrader", "autograde", ASSIGNMENT, "--student=right", cwd=term)
+    assert "Skipping existing assignment" in skipped.stderr
+
+
+def test_words_wait_for_a_person_unless_there_are_none(term, command):
+    found = scores(term)
+    assert found["right"][QUESTION] == (None, None, True)
+    assert found["untouched"][QUESTION] == (0, None, False)
+
+
+def test_what_was_graded_is_not_graded_again(term, command):
+    before = (term / "autograded/right" / ASSIGNMENT).stat().st_mtime_ns
+    again = run("course", "grade", ASSIGNMENT, "--student", "right", "noisy", cwd=term)
+    assert again.returncode == 0, again.stderr
+    assert "0 graded, 2 were graded before" in again.stdout
+    assert (term / "autograded/right" / ASSIGNMENT).stat().st_mtime_ns == before
+
+
+def test_grading_again_changes_nothing_and_keeps_what_a_person_gave(term, command):
+    with Gradebook(f"sqlite:///{term}/gradebook.db") as gradebook:
+        grade = gradebook.find_grade(QUESTION, ASSIGNMENT, ASSIGNMENT, "right")
+        grade.manual_score, grade.needs_manual_grade = 3.5, False
+        other = gradebook.find_grade(
+            check_id("pinhole.dolly_zoom"), ASSIGNMENT, ASSIGNMENT, "misconception-1"
+        )
+        other.manual_score, other.extra_credit, other.needs_manual_grade = 2.0, 1.0, False
+        gradebook.db.commit()
+    before = scores(term)
+    again = run(
+        "course", "grade", ASSIGNMENT, "--force", "--student", "right", "misconception-1", cwd=term
+    )
+    assert again.returncode == 0, again.stderr
+    assert scores(term) == before
+    assert before["right"][QUESTION] == (None, 3.5, False)
+
+
+def test_a_changed_answer_asks_for_a_second_look(new_term, submissions):
+    term = new_term("changed", ["right", "half-done"])
+    assert run("course", "grade", ASSIGNMENT, cwd=term).returncode == 0
+    with Gradebook(f"sqlite:///{term}/gradebook.db") as gradebook:
+        grade = gradebook.find_grade(QUESTION, ASSIGNMENT, ASSIGNMENT, "right")
+        grade.manual_score, grade.needs_manual_grade = 3.5, False
+        gradebook.db.commit()
+    path = term / "submitted/right" / ASSIGNMENT / f"{ASSIGNMENT}.ipynb"
+    path.write_bytes(submissions["misconception-1"].content)
+    again = run("course", "grade", ASSIGNMENT, cwd=term)
+    assert "1 graded, 1 were graded before" in again.stdout
+    assert scores(term)["right"][QUESTION] == (None, 3.5, True)
+    assert scores(term)["right"][check_id("pinhole.project_pinhole")][0] < 6
+
+    path.write_bytes(b"{")  # a broken file comes after a good one: the grade stays
+    assert run("course", "grade", ASSIGNMENT, cwd=term).returncode == 1
+    assert scores(term)["right"][QUESTION] == (None, 3.5, True)
+
+
+def start(term, *options):
+    program = [str(Path(sys.executable).with_name("course")), "grade", ASSIGNMENT, *options]
+    return subprocess.Popen(
+        program, cwd=term, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+
+
+def records(term):
+    return {path.stem: path for path in (term / "grading" / ASSIGNMENT).glob("*.json")}
+
+
+HONEST = ("right", "rewritten", "half-done", "misconception-2", "misconception-5", "copied-out")
+
+
+def test_a_killed_run_is_continued_and_ends_as_if_nothing_had_been(new_term, submissions):
+    plain, killed = new_term("plain", HONEST), new_term("killed", HONEST)
+    assert run("course", "grade", ASSIGNMENT, cwd=plain).returncode == 0
+    for after in (1, 3, 5):
+        process, limit = start(killed, "--workers", "1"), time.monotonic() + 60
+        while len(records(killed)) < after and process.poll() is None:
+            assert time.monotonic() < limit
+            time.sleep(0.01)
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
+    done = run("course", "grade", ASSIGNMENT, cwd=killed)
+    assert done.returncode == 0, done.stderr
+    assert scores(killed) == scores(plain)
+    for student in HONEST:
+        folders = [term / "autograded" / student for term in (plain, killed)]
+        names = [sorted(path.name for path in folder.rglob("*")) for folder in folders]
+        assert names[0] == names[1]
+
+
+def test_a_killed_worker_costs_nothing(new_term):
+    term = new_term("worker", HONEST)
+    process, limit = start(term, "--workers", "2"), time.monotonic() + 60
+    hit = set()
+    while process.poll() is None and len(hit) < 2 and time.monotonic() < limit:
+        listed = f"/proc/{process.pid}/task/{process.pid}/children"
+        for child in Path(listed).read_text().split() if Path(listed).exists() else []:
+            if records(term) and child not in hit and len(hit) < 2:
+                os.kill(int(child), signal.SIGKILL)
+                hit.add(child)
+        time.sleep(0.02)
+    out, err = process.communicate(timeout=120)
+    assert len(hit) == 2
+    assert process.returncode == 0, err
+    assert f"{len(HONEST)} graded" in out
+
+
+def test_two_at_once_are_refused(new_term):
+    term = new_term("twice", ["right"])
+    (term / "grading").mkdir()
+    with (term / "grading/.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        second = run("course", "grade", ASSIGNMENT, cwd=term)
+    assert second.returncode == 2
+    assert "another `course grade` is at work" in second.stderr
+    assert not (term / "autograded").exists()
+
+
+def test_the_record_says_what_was_wrong_and_nothing_hidden(term, command):
+    record = json.loads(records(term)["misconception-1"].read_text(encoding="utf-8"))
+    found = record["exercises"]["pinhole.project_pinhole"]
+    assert found["misconceptions"]
+    assert found["points"] < found["possible"] == 6
+    assert record["trouble"] == ""
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (["02_nothing"], "there is no assignment '02_nothing' in the gradebook; it has 01_pinhole"),
+        ([ASSIGNMENT, "--student", "nobody"], "nothing was handed in for 01_pinhole by nobody"),
+        ([], "name an assignment"),
+        ([ASSIGNMENT, "--term", "/"], "is no term's directory"),
+    ],
+)
+def test_errors_say_what_to_do(term, options, sentence, monkeypatch, capsys):
+    monkeypatch.chdir(term)
+    assert main(["grade", *options]) == 2
+    assert sentence in capsys.readouterr().err
+
+
+def test_without_walls_it_is_refused_unless_told_otherwise(new_term, monkeypatch, tmp_path):
+    term = new_term("unprotected", ["right"])
+    monkeypatch.setenv("PATH", str(tmp_path))  # no bwrap here
+    refused = run("course", "grade", ASSIGNMENT, cwd=term)
+    assert refused.returncode == 2
+    assert "bubblewrap is not installed" in refused.stderr
+    assert not (term / "autograded").exists()
+    trusted = run("course", "grade", ASSIGNMENT, "--isolation", "none", cwd=term)
+    assert trusted.returncode == 0, trusted.stderr
+    assert "Nothing is isolated" in trusted.stderr
+    assert sum(score or 0 for score, *_ in scores(term)["right"].values()) == 41
