@@ -149,12 +149,12 @@ def test_the_laser_line_is_measured_where_the_rail_is():
     assert np.abs(y).max() < 1e-9
     sound = np.abs(np.abs(x) - plane.GROOVE) > 0.5
     np.testing.assert_allclose(z[sound], plane.profile(x)[sound], atol=0.7)
-    ax = draw.laser_profile(MET).axes[1]
+    ax = draw.laser_profile(MET).axes[-1]
     np.testing.assert_allclose(marked(ax, "."), MET[:, [0, 2]])
     assert written(ax) == ["yours: 132 µm from the rail (RMS)"]
-    assert written(draw.laser_profile().axes[1]) == ["no answer yet"]
+    assert written(draw.laser_profile().axes[-1]) == ["no answer yet"]
     some = np.where(np.arange(len(MET))[:, None] > 5, MET, np.nan)
-    assert written(draw.laser_profile(some).axes[1]) == ["yours: not all are here"]
+    assert written(draw.laser_profile(some).axes[-1]) == ["yours: not all are here"]
 
 
 def test_the_marks_are_where_the_truth_says():
@@ -226,3 +226,27 @@ def test_the_cloud_of_the_pair_is_projected_back_to_its_pixels():
     seen = points @ dense.UPRIGHT @ pair.K_LEFT.T
     u, v = np.rint(seen[:, :2] / seen[:, 2:]).astype(int).T
     np.testing.assert_array_equal(pair.motorcycle().left[v, u], colours)
+
+
+def test_the_corners_of_the_short_way_are_right_in_space():
+    ax = draw.two_rays().axes[0]
+    corners = [line.get_xydata() for line in ax.lines if len(line.get_xydata()) == 3]
+    assert len(corners) == 2
+    for corner, spot in zip(corners, marked(ax, "o"), strict=True):
+        assert 5 < np.linalg.norm(corner[1] - spot) < 40
+
+
+def test_no_point_was_found_where_the_floor_is_hidden():
+    points, _ = dense.cloud_points()
+    hidden = np.array(dense.HIDDEN)
+    assert np.linalg.norm(points - hidden, axis=1).min() > 100  # mm
+    u, v, w = pair.P_LEFT @ [*(hidden @ dense.UPRIGHT), 1]
+    before = dense.depths(pair.motorcycle().truth)[int(v / w), int(u / w)]
+    assert before < hidden[1] - 300  # the motorcycle
+
+
+def test_a_disparity_of_the_figure_reaches_from_two_to_five_metres():
+    ax = draw.disparity_and_depth().axes[1]
+    depths = ax.lines[0].get_ydata()
+    assert depths.min() < 2
+    assert depths.max() > 5

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from course_lib.camera import Camera
 from course_lib.drawing.diagrams import Floats, figure, panels
 from course_lib.drawing.space import onlooker
-from course_lib.drawing.style import FULL_WIDTH, ROLES
+from course_lib.drawing.style import BLACK, FULL_WIDTH, ROLES
 from course_lib.drawing.triangulation.pair import BASELINE, K_LEFT, OFFSET, F, motorcycle
 from course_lib.triangulation import depth_from_disparity
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 #: The matcher: how far it searches and how wide its windows are, px.
@@ -24,6 +25,8 @@ BAD = 2.0  # px
 #: From the frame of the camera, y down, to the world of an onlooker, z up.
 UPRIGHT = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
 VIEW_SIZE = (520, 400)
+#: A place of the floor that the motorcycle hides from both cameras, mm, z up.
+HIDDEN = (-200.0, 3100.0, -310.0)
 
 
 def match_pair(left: NDArray[np.uint8], right: NDArray[np.uint8]) -> Floats:
@@ -161,14 +164,15 @@ def dense_result() -> Figure:
     Returns
     -------
     Figure
-        Two pictures in colours; white where nothing is known.
+        Two pictures in colours; white where nothing is known or found.
     """
     fig, axes = panels(1, 2, (FULL_WIDTH, 3.0))
-    pictures = {"truth": motorcycle().truth, "matcher": dense_disparity()}
+    pictures = {"true depth": motorcycle().truth, "found by the program": dense_disparity()}
     for ax, (name, disparity) in zip(axes, pictures.items(), strict=True):
         shown = ax.imshow(depths(disparity) / 1000, cmap="viridis_r", vmin=2, vmax=5.2)
         ax.set_title(name)
         ax.set(xticks=[], yticks=[])
+        ax.spines[:].set_visible(True)
     fig.colorbar(shown, ax=axes, label="depth (m)", shrink=0.8)
     return fig
 
@@ -221,7 +225,21 @@ def point_cloud() -> Figure:
     for ax, (name, view) in zip(axes, views.items(), strict=True):
         ax.imshow(splat(points, colours, view))
         ax.set(xticks=[], yticks=[], title=name)
+        ax.spines[:].set_visible(False)
+        _hole(ax, view, -38 if ax is axes[0] else 22)
     return fig
+
+
+def _hole(ax: Axes, view: Camera, right: float) -> None:
+    """Point at the floor that the motorcycle hides; the words stand so far to the right of it."""
+    u, v = view.project(HIDDEN)
+    ax.annotate(
+        "no floor\nhere",
+        (u, v),
+        (u + right, v - 40),
+        ha="center",
+        arrowprops={"arrowstyle": "-|>", "color": BLACK, "lw": 1.5},
+    )
 
 
 @cache

@@ -128,22 +128,24 @@ def more_cameras() -> Figure:
     for ax, wide, name in zip(axes, (1, 4), ("on an arc of 14°", "on an arc of 57°"), strict=True):
         predicted, found = zip(*(arc_errors(n, wide * ARC) for n in COUNTS), strict=True)
         for k, (label, role, up) in enumerate(
-            (("in depth", "object", 9), ("sideways", "camera", -16))
+            (("in depth", "object", 9), ("sideways", "camera", 8))
         ):
             values = [one[k] for one in predicted]
             ax.plot(COUNTS, values, "-", color=ROLES[role])
             ax.plot(COUNTS, [one[k] for one in found], "o", color=ROLES[role], ms=5)
             ax.annotate(
-                label,
+                label if ax is axes[0] else "",
                 (COUNTS[-1], values[-1]),
                 (0, up),
                 textcoords="offset points",
                 color=ROLES[role],
                 ha="right",
             )
-        ax.set(xlabel="cameras (number)", title=name, xticks=(2, 4, 8, 12, 16), ylim=(-1.4, 16))
-        ax.axhline(0, color=GREY, lw=0.6)
-    axes[0].set_ylabel("error (mm)")
+        ax.set(xlabel="cameras (number)", title=name, xticks=(2, 4, 8, 12, 16), ylim=(0, 16))
+    axes[0].set_ylabel("standard deviation (mm)")
+    axes[1].plot([], [], "-", color=GREY, label="line: by the formula")
+    axes[1].plot([], [], "o", color=GREY, ms=5, label=f"dot: {TRIALS} tries")
+    axes[1].legend(loc="upper right")
     return fig
 
 

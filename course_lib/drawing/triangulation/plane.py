@@ -10,7 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from course_lib.camera import Camera, camera_at
-from course_lib.drawing.diagrams import Floats, figure, panels, same_shape
+from course_lib.drawing.diagrams import (
+    Floats,
+    figure,
+    fit,
+    panels,
+    same_shape,
+    sketch,
+    stroke,
+    write,
+)
 from course_lib.drawing.style import FULL_WIDTH, LIGHT, ROLES
 
 if TYPE_CHECKING:
@@ -22,10 +31,11 @@ SIZE = (640, 480)
 EYE, TARGET = (0.0, -300.0, 400.0), (0.0, 0.0, 5.0)  # mm: the camera looks down at a table, z up
 #: The laser's sheet of light stands upright and crosses the table along the x axis: y = 0.
 PLANE = np.array([0.0, 1.0, 0.0, 0.0])
-#: The thing: a rail from front to back, 30 mm wide at its foot, 12 mm high, with a groove.
+#: The thing: a rail from front to back, 60 mm wide at its foot, 12 mm high, with a groove.
 HALF_FOOT, HALF_TOP, HEIGHT = 30.0, 18.0, 12.0
 GROOVE, DEPTH = 5.0, 4.0
 NOISE = 0.2  # px
+PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,9 +83,9 @@ def laser_line() -> LaserLine:
     return LaserLine(camera, pixels, camera.pixel_ray(pixels), PLANE)
 
 
-@figure("A laser line across a rail as the camera sees it, and the profile that its rays give.")
+@figure("Camera, laser and rail from the side; the laser line as the camera sees it; the profile.")
 def laser_profile(yours: Any = None) -> Figure:
-    """Show a laser line in the picture, and the true profile with a student's points.
+    """Show the arrangement, the laser line in the picture, and the profile with a student's points.
 
     Parameters
     ----------
@@ -85,13 +95,15 @@ def laser_profile(yours: Any = None) -> Figure:
     Returns
     -------
     Figure
-        Picture and profile.
+        The arrangement, the picture and the profile.
     """
     line = laser_line()
-    fig, (seen, cut) = panels(1, 2, (FULL_WIDTH, 3.0), width_ratios=(1, 1.25))
+    fig, (plan, seen, cut) = panels(1, 3, (FULL_WIDTH, 3.0), width_ratios=(0.8, 1, 1.15))
+    _arrangement(sketch(plan, "from the side"))
     _rail(seen, line.camera)
     seen.plot(*line.pixels.T, ".", color=ROLES["object"], ms=3)
-    seen.set(xlim=(160, 480), ylim=(330, 170), aspect="equal", title="picture")
+    seen.set(xlim=(170, 470), ylim=(340, 140), aspect="equal", title="picture")
+    seen.text(320, 325, "grey: edges of the rail", ha="center", fontsize=9, bbox=PAPER)
     seen.set(xlabel="u (px)", ylabel="v (px)")
     x = np.linspace(-60, 60, 1201)
     cut.fill_between(x, profile(x), -2, color=LIGHT, lw=0)
@@ -108,6 +120,22 @@ def laser_profile(yours: Any = None) -> Figure:
         cut.text(0, 18, f"yours: {text}", ha="center")
     cut.set(xlim=(-62, 62), ylim=(-2, 22), title="profile", xlabel="x (mm)", ylabel="z (mm)")
     return fig
+
+
+def _arrangement(ax: Axes) -> None:
+    """Draw camera, laser and rail from the side, to scale, mm."""
+    _, y, z = EYE
+    stroke(ax, [(y, z), (0, HEIGHT)], "ray", lw=1.5)
+    stroke(ax, [(0, 470), (0, HEIGHT)], "object", lw=2.5)
+    ax.plot(y, z, "s", color=ROLES["camera"], ms=10)
+    ax.plot(0, 470, "v", color=ROLES["object"], ms=11)
+    ax.fill([-60, 60, 60, -60], [0, 0, HEIGHT, HEIGHT], color=ROLES["guide"], lw=0)
+    stroke(ax, [(-360, 0), (110, 0)], "guide", lw=1.2)
+    write(ax, (y + 10, z + 40), "camera", "camera", fontsize=10)
+    write(ax, (-5, 515), "laser", "object", fontsize=10)
+    write(ax, (0, -40), "rail", "guide", fontsize=10)
+    write(ax, (-48, 120), "37°", fontsize=10)
+    fit(ax, -390, 130, -70, 550)
 
 
 def _drawable(points: Floats) -> NDArray[np.bool_]:

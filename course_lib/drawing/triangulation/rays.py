@@ -23,6 +23,7 @@ UPRIGHT = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
 ORIGINS = np.array([[0.0, 0, 0], [1, 2, 0]])
 DIRECTIONS = np.array([[0.0, 0, 1], [-1, 0, 5]])
 OUTSIDE = "yours: not all inside the figure"
+CORNER = np.array([1.6, 1.4, 5.2])  # where the arrows of the axes begin
 LENGTH = 6.3  # of the rays as they are drawn, along z
 
 
@@ -44,11 +45,18 @@ def two_rays(yours: Any = None) -> Figure:
     sketch(ax)
     view = onlooker((6.5, -3.2, 2.6), (0.3, 3.0, -1.0), 760, (640, 400))
     ends = ORIGINS + DIRECTIONS * (LENGTH / DIRECTIONS[:, 2:])
-    for number, role in enumerate(("camera", "second")):
+    roles = ("camera", "second")
+    for number, role in enumerate(roles):
         _path(ax, view, [ORIGINS[number], ends[number]], role, lw=2.5)
         _spot(ax, view, ORIGINS[number], role, "s", 9)
     one, other = closest_points_on_rays(ORIGINS[0], DIRECTIONS[0], ORIGINS[1], DIRECTIONS[1])
     _path(ax, view, [one, other], "object", lw=2.5)
+    for end, way, along in ((one, other - one, 0), (other, one - other, 1)):
+        _right_angle(ax, view, end, way, -DIRECTIONS[along])
+    for number, role in enumerate(roles):
+        _arrow(ax, view, ORIGINS[number], DIRECTIONS[number], role)
+    for name, axis in zip("xyz", np.eye(3), strict=True):
+        _arrow(ax, view, CORNER, 0.6 * axis, "guide", f"${name}$")
     for point, role in ((one, "camera"), (other, "second")):
         _spot(ax, view, point, role, "o", 8)
     _named(ax, view, one, other)
@@ -80,6 +88,25 @@ def _named(ax: Axes, view: Camera, one: Floats, other: Floats) -> None:
     for at, text, role, (right, up) in names:
         u, v = view.project(UPRIGHT @ at)
         write(ax, (u + right, -v + up), text, role)
+
+
+def _right_angle(ax: Axes, view: Camera, at: Floats, one: Floats, other: Floats) -> None:
+    """Draw a small square between two directions at a point of space."""
+    a, b = (0.28 * v / np.linalg.norm(v) for v in (one, other))
+    _path(ax, view, [at + a, at + a + b, at + b], "guide", lw=1.5, zorder=4)
+
+
+def _arrow(
+    ax: Axes, view: Camera, start: Floats, way: Floats, role: str, name: str | None = None
+) -> None:
+    """Draw an arrow of space: a long one of a ray, or a thin one of an axis with its name."""
+    (u, v), (u2, v2) = view.project(np.stack([start, start + way]) @ UPRIGHT.T)
+    thin = name is not None
+    look = {"arrowstyle": "-|>", "color": ROLES[role], "lw": 1.2 if thin else 4, "shrinkA": 0}
+    look |= {"shrinkB": 0, "mutation_scale": 10 if thin else 22}
+    ax.annotate("", (u2, -v2), (u, -v), arrowprops=look, zorder=4)
+    if name is not None:
+        write(ax, (1.3 * u2 - 0.3 * u, -1.3 * v2 + 0.3 * v), name, role, fontsize=10)
 
 
 def _path(ax: Axes, view: Camera, points: ArrayLike, role: str, **options: Any) -> None:
