@@ -62,7 +62,7 @@ APERTURE_WINDOW = Exercise(
         ),
         Misconception(
             wrong.magnification_forgotten,
-            "The least is right. Is the image of a near object as close to the lens as that of a star?",
+            "The least is right. Is a near object's image as close to the lens as that of a star?",
         ),
         Misconception(
             wrong.magnification_over_s,

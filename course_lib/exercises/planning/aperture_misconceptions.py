@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from typing import Any
 
-def in_metres(f_mm, spot_um, wavelength_um):
+
+def in_metres(f_mm: Any, spot_um: Any, wavelength_um: Any) -> Any:
     return f_mm / 1e3, spot_um / 1e6, wavelength_um / 1e6
 
 
-def between(near, far):
+def between(near: Any, far: Any) -> Any:
     return 2 * near * far / (near + far)
 
 
-def least_for(f, near, far, c, s):
+def least_for(f: Any, near: Any, far: Any, c: Any, s: Any) -> Any:
     """Return the larger of the f-numbers that both ends need."""
     return f**2 / (c * (s - f)) * max((s - near) / near, (far - s) / far)
 
 
-def window(f_mm, near, far, spot_um, wavelength_um):
+def window(f_mm: Any, near: Any, far: Any, spot_um: Any, wavelength_um: Any) -> Any:
     """Return the right answer."""
     f, c, wavelength = in_metres(f_mm, spot_um, wavelength_um)
     s = between(near, far)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -157,11 +158,11 @@ def array_in_an_if(base, interval, gsd, exposure_time, blur):
 # --- photo_count ------------------------------------------------------------------------------
 
 
-def up(number):
+def up(number: Any) -> Any:
     return math.ceil(number)
 
 
-def strips_for(width, distance, footprint_width):
+def strips_for(width: Any, distance: Any, footprint_width: Any) -> Any:
     return max(up((width - footprint_width) / distance) + 1, 1)
 
 

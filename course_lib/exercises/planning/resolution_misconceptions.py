@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 
-def on_the_object(Z, f_mm, pitch_um):
+def on_the_object(Z: Any, f_mm: Any, pitch_um: Any) -> Any:
     return Z * pitch_um * 1e-3 / f_mm
 
 

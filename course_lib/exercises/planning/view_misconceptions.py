@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import product
+from typing import Any
 
 import numpy as np
 
@@ -11,15 +12,15 @@ SIGNS = np.array(list(product((-1, 1), repeat=3)))
 # --- box_in_view ------------------------------------------------------------------------------
 
 
-def corners_of(centre, half):
+def corners_of(centre: Any, half: Any) -> Any:
     return centre + half * SIGNS
 
 
-def seen_by(P, corners):
+def seen_by(P: Any, corners: Any) -> Any:
     return P @ np.column_stack([corners, np.ones(len(corners))]).T
 
 
-def room(a, b, w, image_size):
+def room(a: Any, b: Any, w: Any, image_size: Any) -> Any:
     """Return the right answer for points given by their homogeneous pixels."""
     if (w <= 0).any():
         return np.full(4, -np.inf)
@@ -29,7 +30,7 @@ def room(a, b, w, image_size):
     return np.array([u.min() + 0.5, far[0], v.min() + 0.5, far[1]])
 
 
-def room_around(centre, half, P, image_size):
+def room_around(centre: Any, half: Any, P: Any, image_size: Any) -> Any:
     return room(*seen_by(P, corners_of(centre, half)), image_size)
 
 
@@ -89,7 +90,7 @@ def place_forgotten(size, centre, motion, P, image_size):
     return room_around(0 * centre, size / 2 + motion, P, image_size)
 
 
-def pixels_of(size, centre, motion, P, image_size):
+def pixels_of(size: Any, centre: Any, motion: Any, P: Any, image_size: Any) -> Any:
     a, b, w = seen_by(P, corners_of(centre, size / 2 + motion))
     return None if (w <= 0).any() else (a / w, b / w, *image_size)
 
