@@ -155,7 +155,7 @@ def test_a_gauge_changes_the_sigma_but_not_the_fit():
 
 
 def test_a_wrong_lens_bends_the_block_and_the_rms_does_not_show_it():
-    right, wrong = flights.flown(0, False, False, 0.0), flights.flown(0, False, False)
+    right, wrong = flights.flown(0, 0, False, 0.0), flights.flown(0, 0)
     assert wrong.rms < 1.002 * right.rms
     assert wrong.check_rms > 3 * right.check_rms
     middle = wrong.known.truth.points.mean(axis=0)
@@ -164,32 +164,37 @@ def test_a_wrong_lens_bends_the_block_and_the_rms_does_not_show_it():
 
 
 def test_oblique_pictures_find_the_lens():
-    known = flights.flown(8, False, True)
+    known = flights.flown(8, 0, True)
     assert known.k1 == pytest.approx(-flights.WRONG_K1, abs=3e-4)
     assert known.check_rms < 0.03
-    sigmas = []
-    for oblique in (0, 8):
-        block = flights.flown(oblique, False, False).known
-        bent = flights.bent_by(block.observations, block.truth.K[0], flights.WRONG_K1)
-        sigmas.append(flights.best_k1(block, bent)[1])
-    assert sigmas[0] > 7 * sigmas[1]
+    (_, sigma), (_, without) = flights.k1_told_by(8), flights.k1_told_by(0)
+    assert without > 7 * sigma
 
 
-def test_the_parabola_is_the_cost():
-    block = flights.flown(8, False, False).known
-    k1, sigma = flights.best_k1(block, block.observations)
-    K = block.truth.K[0]
+def test_the_correction_of_the_lens_has_come_to_rest():
+    known, seen = flights.pictures_with(8, flights.WRONG_K1)
+    k1, sigma = flights.k1_told_by(8)
+    K = known.truth.K[0]
     costs = [
-        bundle_adjust(block.truth, flights.bent_by(block.observations, K, k1 + step)).cost
+        bundle_adjust(known.truth, flights.bent_by(seen, K, k1 + step)).cost
         for step in (-sigma, 0, sigma)
     ]
-    scale = bundle_adjust(block.truth, flights.bent_by(block.observations, K, k1)).sigma0 ** 2
-    assert costs[0] - costs[1] == pytest.approx(scale, rel=0.05)
-    assert costs[2] - costs[1] == pytest.approx(scale, rel=0.05)
+    fit = bundle_adjust(known.truth, flights.bent_by(seen, K, k1))
+    assert costs[0] - costs[1] == pytest.approx(fit.sigma0**2, rel=0.05)
+    assert costs[2] - costs[1] == pytest.approx(fit.sigma0**2, rel=0.05)
+
+
+def test_points_of_a_grid_are_spread_over_the_area():
+    known = flights.flown(0, 25)
+    places = known.known.truth.points[known.control, :2]
+    assert len(set(known.control.tolist())) == 25
+    apart = np.linalg.norm(places[:, None] - places, axis=2) + 1e3 * np.eye(25)
+    assert apart.min() > 8
+    assert known.control_rms < 0.02
 
 
 def test_maps_hold_the_errors_in_millimetres():
-    axes = draw.domes().axes[:3]
+    axes = draw.domes().axes[:5]
     for ax, (name, kind) in zip(axes, flights.FLIGHTS.items(), strict=True):
         title = ax.get_title(loc="left")
         assert title.startswith(name)

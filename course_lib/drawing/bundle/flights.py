@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from course_lib.bundle import Observations, bundle_adjust
+from course_lib.bundle import Control, Observations, bundle_adjust, self_calibrate
+from course_lib.bundle.block import Indices
 from course_lib.drawing.diagrams import Floats, figure, panels
 from course_lib.drawing.style import FULL_WIDTH, ROLES
 from course_lib.orientation import check_point_rmse
@@ -23,14 +24,21 @@ if TYPE_CHECKING:
 WRONG_K1 = -0.002
 #: Standard deviation of a surveyed coordinate, m.
 SURVEY = 0.01
+#: How far inside of the area control points on a grid lie, m.
+MARGIN = 15
 #: How many control points are tried.
 CONTROLS = (3, 4, 5, 7, 10, 15, 20)
-#: What is drawn: name, oblique pictures, control points, whether k1 is found from the flight.
+#: What is drawn: name, oblique pictures, control points, whether k1 is found from the flight, and
+#: by how much it is wrong.
 FLIGHTS = {
-    "parallel": (0, False, False),
-    "parallel, 8 control points": (0, True, False),
-    "with 8 oblique, k1 adjusted": (8, False, True),
+    "the right lens": (0, 0, False, 0.0),
+    "the wrong lens": (0, 0, False, WRONG_K1),
+    "wrong, 8 control points": (0, 8, False, WRONG_K1),
+    "wrong, 25 control points": (0, 25, False, WRONG_K1),
+    "wrong, but 8 oblique,\n$k_1$ adjusted": (8, 0, True, WRONG_K1),
 }
+#: Steps in which k1 comes to rest.
+STEPS = 4
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,6 +49,8 @@ class Flown:
     ----------
     known : KnownBlock
         The truth.
+    control : ndarray of int
+        Numbers of the control points.
     errors : ndarray, shape (n, 3)
         Adjusted minus true points, m; without control the block is laid over the truth first.
     rms : float
@@ -50,10 +60,11 @@ class Flown:
     check_rms : float
         Of the heights of the check points, m.
     k1 : float
-        What the lens was taken to be off by.
+        The correction of the lens that was found; 0 if none was looked for.
     """
 
     known: KnownBlock
+    control: Indices
     errors: Floats
     rms: float
     control_rms: float
@@ -62,15 +73,15 @@ class Flown:
 
 
 @cache
-def flown(oblique: int, controlled: bool, finds_k1: bool, wrong: float = WRONG_K1) -> Flown:
+def flown(oblique: int, controls: int, finds_k1: bool = False, wrong: float = WRONG_K1) -> Flown:
     """Return a flight of 5 strips with 8 pictures each, at 100 m, adjusted.
 
     Parameters
     ----------
     oblique : int
         Oblique pictures in addition.
-    controlled : bool
-        Whether eight surveyed control points take part.
+    controls : int
+        How many surveyed control points take part: none, 8, or the square of a number.
     finds_k1 : bool
         Whether k1 is found from the pictures of the flight.
     wrong : float
@@ -81,17 +92,49 @@ def flown(oblique: int, controlled: bool, finds_k1: bool, wrong: float = WRONG_K
     Flown
         Its errors.
     """
-    known = flight(np.random.default_rng(4), 5, 8, 500, oblique=oblique)
-    bent = bent_by(known.observations, known.truth.K[0], wrong)
-    control = known.surveyed(np.random.default_rng(3), SURVEY) if controlled else None
-    k1 = best_k1(known, bent)[0] if finds_k1 else 0.0
-    fit = bundle_adjust(known.truth, bent_by(bent, known.truth.K[0], k1), control)
-    true, X = known.truth.points, fit.block.points
-    errors = X - true if controlled else similarity_transform(X, true).apply(X) - true
+    known, seen = pictures_with(oblique, wrong)
+    k1 = k1_told_by(oblique, wrong)[0] if finds_k1 else 0.0
+    true = known.truth.points
+    chosen = known.control if controls == len(known.control) else spread(true, controls)
+    control = Control(chosen, surveyed(true[chosen]), SURVEY) if controls else None
+    fit = bundle_adjust(known.truth, bent_by(seen, known.truth.K[0], k1), control)
+    X = fit.block.points
+    errors = X - true if controls else similarity_transform(X, true).apply(X) - true
     left = fit.control_residuals[:, 2]
-    control_rms = float(np.sqrt((left**2).mean())) if controlled else np.nan
-    check = check_point_rmse(errors[known.check], 0 * errors[known.check])
-    return Flown(known, errors, fit.rms, control_rms, check.z, k1)
+    control_rms = float(np.sqrt((left**2).mean())) if controls else np.nan
+    check = errors[np.setdiff1d(known.check, chosen)]
+    return Flown(
+        known, chosen, errors, fit.rms, control_rms, check_point_rmse(check, 0 * check).z, k1
+    )
+
+
+@cache
+def pictures_with(oblique: int, wrong: float) -> tuple[KnownBlock, Observations]:
+    """Return a flight, and what its pictures show with a lens that is off."""
+    known = flight(np.random.default_rng(4), 5, 8, 500, oblique=oblique)
+    return known, bent_by(known.observations, known.truth.K[0], wrong)
+
+
+@cache
+def k1_told_by(oblique: int, wrong: float = WRONG_K1) -> tuple[float, float]:
+    """Return the correction of k1 that the pictures tell, and its standard deviation."""
+    known, seen = pictures_with(oblique, wrong)
+    found = self_calibrate(known.truth, seen, steps=STEPS)
+    return found.corrections["k1"], found.sigma["k1"]
+
+
+def spread(points: Floats, count: int) -> Indices:
+    """Return the points that are nearest to a square grid over all of them."""
+    side = round(count**0.5)
+    ends = points.min(axis=0)[:2] + MARGIN, points.max(axis=0)[:2] - MARGIN
+    grid = np.stack(np.meshgrid(*np.linspace(*ends, side).T), axis=-1).reshape(-1, 2)
+    apart = ((points[:, None, :2] - grid) ** 2).sum(axis=2)
+    return np.unique(apart.argmin(axis=0))
+
+
+def surveyed(points: Floats) -> Floats:
+    """Return places as a surveyor measures them."""
+    return points + SURVEY * np.random.default_rng(3).standard_normal(points.shape)
 
 
 def bent_by(seen: Observations, K: Floats, k1: float) -> Observations:
@@ -102,44 +145,37 @@ def bent_by(seen: Observations, K: Floats, k1: float) -> Observations:
     return Observations(seen.cameras, seen.points, c + f * x * (1 + k1 * r2), seen.sigma)
 
 
-def best_k1(known: KnownBlock, seen: Observations) -> tuple[float, float]:
-    """Return the k1 with which the pixels fit best, and its standard deviation.
-
-    The cost against k1 is a parabola; three adjustments find its lowest point.
-    """
-    tried = np.array([-0.003, 0, 0.003])
-    K = known.truth.K[0]
-    costs = [bundle_adjust(known.truth, bent_by(seen, K, k)).cost for k in tried]
-    a, b, _ = np.polyfit(tried, costs, 2)
-    fit = bundle_adjust(known.truth, bent_by(seen, K, -b / (2 * a)))
-    return float(-b / (2 * a)), float(fit.sigma0 / np.sqrt(a))
-
-
 @figure(
-    "Maps of height errors: a dome, held in places by control points, gone with oblique pictures."
+    "Maps of height errors: flat with the right lens; with a wrong one a dome, which control "
+    "points hold in places, and which oblique pictures take away."
 )
 def domes() -> Figure:
-    """Show the errors of the heights of three flights with the same wrong lens.
+    """Show the errors of the heights of five flights, four of them with the same wrong lens.
 
     Returns
     -------
     Figure
         A map for each, in mm.
     """
-    fig, axes = panels(1, 3, (FULL_WIDTH, 3.5), sharey=True)
+    fig, grid = panels(2, 3, (FULL_WIDTH, 5.6))
+    axes = np.ravel(grid)
     image: Any = None
-    for ax, (name, kind) in zip(axes, FLIGHTS.items(), strict=True):
-        found = flown(*kind)
-        image = _map(ax, found)
-        if kind[1]:
-            ax.plot(*found.known.truth.points[found.known.control, :2].T, "^k", ms=6, mfc="white")
-        ax.set_title(
-            f"{name}\nRMS {found.rms:.2f} px,\nheights ± {1000 * found.check_rms:.0f} mm",
-            fontsize=10,
-        )
-    axes[0].set_ylabel("y (m)")
-    fig.colorbar(image, ax=axes, label="height error (mm)", shrink=0.8)
+    for ax, (name, kind) in zip(axes, FLIGHTS.items(), strict=False):
+        image = _map(ax, flown(*kind))
+        ax.set_title(_title(name, flown(*kind)), fontsize=10)
+    for ax in axes[::3]:
+        ax.set_ylabel("y (m)")
+    for ax in axes[2:5]:
+        ax.set_xlabel("x (m)")
+    axes[5].axis("off")
+    axes[5].legend(*axes[3].get_legend_handles_labels(), loc="center", fontsize=10)
+    axes[5].get_legend().set_in_layout(False)
+    fig.colorbar(image, ax=axes, label="height error (mm)", shrink=0.5)
     return fig
+
+
+def _title(name: str, found: Flown) -> str:
+    return f"{name}\nRMS {found.rms:.2f} px, ± {1000 * found.check_rms:.0f} mm"
 
 
 def _map(ax: Axes, found: Flown) -> Any:
@@ -148,10 +184,13 @@ def _map(ax: Axes, found: Flown) -> Any:
     look: dict[str, Any] = {"levels": np.linspace(-300, 300, 13), "cmap": "PuOr", "extend": "both"}
     image = ax.tricontourf(x, y, 1000 * found.errors[:, 2], **look)
     C = found.known.truth.centres[:40]
-    ax.plot(*C[:, :2].T, ".", color=ROLES["camera"], ms=3)
+    ax.plot(*C[:, :2].T, ".", color=ROLES["camera"], ms=3, label="camera")
+    if len(found.control):
+        places = found.known.truth.points[found.control, :2].T
+        ax.plot(*places, "^k", ms=6, mfc="white", clip_on=False, label="control point")
     half = np.array([4000, 3000]) * 100 / 3600 / 2
     (left, low), (right, high) = C[:, :2].min(axis=0) - half, C[:, :2].max(axis=0) + half
-    ax.set(xlim=(left, right), ylim=(low, high), aspect="equal", xlabel="x (m)")
+    ax.set(xlim=(left, right), ylim=(low, high), aspect="equal")
     return image
 
 
@@ -181,7 +220,7 @@ def simulated_control(
 
 
 @cache
-def flattering(trials: int = 200) -> Floats:
+def flattering(trials: int = 500) -> Floats:
     """Return for several numbers of control points what they leave, and what the truth is.
 
     Parameters
