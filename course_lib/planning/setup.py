@@ -6,6 +6,7 @@ Use these functions through `course_lib.planning`.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -105,7 +106,7 @@ class Setup:
                 f"{self.camera.mount}: choose a lens that fits"
             )
 
-    @property
+    @cached_property
     def view(self) -> Camera:
         """The pinhole camera of the set-up: its image distance is that of the focus."""
         distance = image_distance(self.lens.f_mm, 1000 * self.focus_distance)

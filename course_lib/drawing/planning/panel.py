@@ -25,7 +25,7 @@ from course_lib.planning.setup import motion_blur
 if TYPE_CHECKING:
     from data_generators.defocus import DefocusedView
     from data_generators.quick import QuickRenderer
-    from data_generators.scene import Scene
+    from data_generators.scene import Patch, Scene
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
@@ -45,6 +45,7 @@ TASK = Task(
 )
 PHANTOM, ZEISS = "Phantom v2640, 2048 x 1920", "Zeiss Milvus 1.4/85"
 STAR, STAR_PX = 0.03, 240  # m and px: side of the stars at the ends of the box
+WALL = (70, 74, 80)  # colour behind the panel
 #: Where the stars stand: near and far from a camera on the right, at the top and at the bottom.
 ENDS = np.array([[0.283, -0.03, 0.232], [-0.283, 0.029, -0.232]])
 
@@ -89,25 +90,32 @@ def pair(
 @cache
 def panel() -> Scene:
     """Return the panel with its ribs, marks and stars, before a dark wall."""
-    from data_generators.bodies import at
-    from data_generators.scene import Patch, Scene, box
-    from data_generators.targets import siemens_star
+    from data_generators.scene import Scene, box
 
-    wall = Patch(at(-6, 2, 4), at(12, 0, 0), at(0, 0, -8), np.array((70, 74, 80)))
-    plate = Patch(at(-0.3, 0.03, 0.25), at(0.6, 0, 0), at(0, 0, -0.5), _dots())
     grey = np.array((150, 154, 160))
     ribs = [
         face
         for x in (-0.14, 0.0, 0.14)
         for face in box((x - 0.008, -0.03, -0.25), (0.016, 0.06, 0.5), grey, grey)
     ]
-    edge = box((0.264, -0.0299, -0.25), (0.036, 0.06, 0.5), grey, grey)
-    star = siemens_star(STAR_PX, 16)
-    stars = [
-        Patch(middle + at(-STAR / 2, -1e-4, STAR / 2), at(STAR, 0, 0), at(0, 0, -STAR), star)
-        for middle in ENDS
-    ]
-    return Scene((wall, plate, *ribs, *edge, *stars), (70, 74, 80))
+    near, far = _end(0), _end(1)
+    return Scene((*far[:-1], *ribs, *near[1:], far[-1]), WALL)
+
+
+@cache
+def _end(number: int) -> tuple[Patch, ...]:
+    """Return the wall, what is at one end of the panel, and the star on it."""
+    from data_generators.bodies import at
+    from data_generators.scene import Patch, box
+    from data_generators.targets import siemens_star
+
+    grey, (back, side) = np.array((150, 154, 160)), (np.array(WALL), STAR)
+    wall = Patch(at(-6, 2, 4), at(12, 0, 0), at(0, 0, -8), back)
+    corner = ENDS[number] + at(-side / 2, -1e-4, side / 2)
+    star = Patch(corner, at(side, 0, 0), at(0, 0, -side), siemens_star(STAR_PX, 16))
+    if number == 0:
+        return wall, *box((0.264, -0.0299, -0.25), (0.036, 0.06, 0.5), grey, grey), star
+    return wall, Patch(at(-0.3, 0.03, 0.25), at(0.6, 0, 0), at(0, 0, -0.5), _dots()), star
 
 
 def _dots() -> Pixels:
@@ -193,8 +201,9 @@ def close_up(setup: Setup, end: int, side: int = 64) -> Pixels:
 def _defocused(end: int) -> DefocusedView:
     """Return the view of one end; each keeps its layers while only the blur changes."""
     from data_generators.defocus import DefocusedView
+    from data_generators.scene import Scene
 
-    return DefocusedView(panel(), breathes=False)
+    return DefocusedView(Scene(_end(end), WALL), breathes=False)
 
 
 def _exposed(picture: Pixels, smear: float, light: float) -> Pixels:
