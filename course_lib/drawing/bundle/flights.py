@@ -163,10 +163,9 @@ def domes() -> Figure:
     for ax, (name, kind) in zip(axes, FLIGHTS.items(), strict=False):
         image = _map(ax, flown(*kind))
         ax.set_title(_title(name, flown(*kind)), fontsize=10)
-    for ax in axes[::3]:
-        ax.set_ylabel("y (m)")
-    for ax in axes[2:5]:
-        ax.set_xlabel("x (m)")
+    for number, ax in enumerate(axes[:5]):
+        ax.tick_params(labelleft=number % 3 == 0, labelbottom=number > 1)
+        ax.set(ylabel="" if number % 3 else "y (m)", xlabel="x (m)" if number > 1 else "")
     axes[5].axis("off")
     axes[5].legend(*axes[3].get_legend_handles_labels(), loc="center", fontsize=10)
     axes[5].get_legend().set_in_layout(False)
