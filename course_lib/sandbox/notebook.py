@@ -14,7 +14,7 @@ import sys
 import time
 import warnings
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
 from socket import socket
 from typing import Any
@@ -81,6 +81,10 @@ def make_shell() -> InteractiveShell:
     formatter = shell.display_formatter
     formatter.active_types = ["text/plain"]
     formatter.ipython_display_formatter.enabled = False
+    shell._tee = lambda channel: nullcontext()  # IPython would keep all that is printed, too
+    for source in ("1", "1 / 0"):  # load now what the first cell and the first error would load
+        shell.run_cell(source)
+    shell.reset()
     return shell
 
 

@@ -20,6 +20,7 @@ from typing import Any, NoReturn
 
 from course_lib.sandbox import walls, wire
 from course_lib.sandbox.limits import Allowance
+from course_lib.sandbox.memory import MemoryWatch
 
 #: Seconds between two looks at the memory.
 LOOK = 0.05
@@ -92,7 +93,8 @@ def _guard(lines: list[socket.socket], inner_walls: bool) -> NoReturn:
 
 def _watch(life: socket.socket, child: int, allowance: Allowance, inner_walls: bool) -> str:
     """Return why a submission must end now: it is finished, or the name of a limit."""
-    start, own = time.monotonic(), (os.getpid(), os.getppid(), child)
+    start = time.monotonic()
+    memory = MemoryWatch(allowance.memory, (os.getpid(), os.getppid(), child))
     grader = select.poll()
     grader.register(life, select.POLLIN | select.POLLHUP)
     while not grader.poll(int(LOOK * 1000)):
@@ -100,7 +102,7 @@ def _watch(life: socket.socket, child: int, allowance: Allowance, inner_walls: b
             return "finished"
         if time.monotonic() - start > allowance.total_seconds:
             return "time"
-        if inner_walls and walls.too_much_memory(allowance.memory, own):
+        if inner_walls and memory.is_too_much():
             return "memory"
     return "stopped"
 
@@ -109,12 +111,13 @@ def _enter(lines: list[socket.socket], allowance: Allowance, inner_walls: bool) 
     """Go behind the inner walls, and run the notebook there."""
     try:
         walls.die_with_parent()
+        user = os.getuid()
         if inner_walls:
             walls.leave_the_others()
             if os.fork():
                 _wait_for_all(lines)
             walls.die_with_parent()
-            walls.settle(allowance)
+            walls.settle(allowance, user)
         else:
             os.setpgid(0, 0)
         walls.limit(allowance)

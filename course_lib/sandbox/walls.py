@@ -10,7 +10,6 @@ from __future__ import annotations
 import ctypes
 import os
 import resource
-from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -68,25 +67,42 @@ def become(user: int) -> None:
 
 
 def leave_the_others() -> None:
-    """Make namespaces of users, mounts and messages, and one of processes for the children."""
-    user, group = os.getuid(), os.getgid()
-    _call("unshare", _NEW_USERS | _NEW_MOUNTS | _NEW_IPC | _NEW_PROCESSES)
-    _write("/proc/self/setgroups", "deny")
-    _write("/proc/self/uid_map", f"{user} {user} 1")
-    _write("/proc/self/gid_map", f"{group} {group} 1")
+    """Make namespaces of users, mounts and messages, and one of processes for the children.
+
+    In them, this process is root, which gives it power over these namespaces only.
+    """
+    _new_users(_NEW_MOUNTS | _NEW_IPC | _NEW_PROCESSES, 0)
 
 
-def settle(allowance: Allowance) -> None:
-    """As the first process of its namespace, mount what is its own, and give all power up."""
+def settle(allowance: Allowance, user: int) -> None:
+    """As the first process of its namespace, mount what is its own, and give all power up.
+
+    Parameters
+    ----------
+    allowance : Allowance
+        How large the temporary folders are.
+    user : int
+        Who to be from now on: in a namespace of users below, without power over the mounts.
+    """
     _call("mount", b"none", b"/", None, _RECURSIVE | _PRIVATE, None)
     _mount("proc", "/proc", "proc")
     for folder, share in _OWN_FOLDERS:
         size = int(allowance.files * share)
         _mount("tmpfs", folder, "tmpfs", f"size={size},nr_inodes=20000,mode=1777")
-    for switch in ("user/max_user_namespaces", "kernel/shmall", "kernel/msgmni"):
-        with suppress(OSError):  # some kernels keep the last two to the machine's root
-            _write(f"/proc/sys/{switch}", "0")
+    for switch in ("shmall", "msgmni", "sem"):  # memory that belongs to no process
+        _write(f"/proc/sys/kernel/{switch}", "0 0 0 0" if switch == "sem" else "0")
+    _new_users(0, user)
+    _write("/proc/sys/user/max_user_namespaces", "0")
     _give_up_power()
+
+
+def _new_users(others: int, user: int) -> None:
+    """Make a namespace of users, and become a user of it; and make other namespaces."""
+    old_user, old_group = os.getuid(), os.getgid()
+    _call("unshare", _NEW_USERS | others)
+    _write("/proc/self/setgroups", "deny")
+    _write("/proc/self/uid_map", f"{user} {old_user} 1")
+    _write("/proc/self/gid_map", f"{user} {old_group} 1")
 
 
 def limit(allowance: Allowance) -> None:
@@ -126,33 +142,3 @@ def _mount(source: str, target: str, kind: str, options: str = "") -> None:
 
 def _write(path: str, text: str) -> None:
     Path(path).write_text(text, encoding="ascii")
-
-
-def too_much_memory(most: int, without: Sequence[int]) -> bool:
-    """Return whether the processes in sight hold more than this, shared memory counted once.
-
-    Parameters
-    ----------
-    most : int
-        Bytes.
-    without : sequence of int
-        Processes that do not count.
-    """
-    numbers = [int(name) for name in os.listdir("/proc") if name.isdecimal()]
-    others = [number for number in numbers if number not in without]
-    if sum(map(_resident, others)) <= most:  # forks share most of it, so this is an upper bound
-        return False
-    return sum(map(_proportional, others)) > most
-
-
-def _resident(process: int) -> int:
-    with suppress(OSError), open(f"/proc/{process}/statm", "rb") as file:
-        return int(file.read().split()[1]) * resource.getpagesize()
-    return 0
-
-
-def _proportional(process: int) -> int:
-    """Return what a process holds, of what several hold its share."""
-    with suppress(OSError), open(f"/proc/{process}/smaps_rollup", "rb") as file:
-        return next(int(line.split()[1]) for line in file if line.startswith(b"Pss:")) * 1024
-    return 0

@@ -267,7 +267,7 @@ HARM = {
     ),
     "takes memory": Attack("x = bytearray(8 * 10 ** 9)", says="MemoryError"),
     "takes memory little by little": Attack(
-        "x = []\nwhile True: x.append(bytearray(10 ** 7))", says="MemoryError"
+        "x = []\nwhile True: x.append(bytearray(10 ** 8))", says="MemoryError"
     ),
     "takes memory in many processes": Attack(
         "import os, time\n"
@@ -276,7 +276,7 @@ HARM = {
         "        x = bytearray(os.urandom(1)) * 250_000_000; time.sleep(60)\n"
         "time.sleep(60)",
         second=0.0,
-        says="too much memory",
+        says="was stopped before it came to this check",
     ),
     "takes shared memory": Attack(
         "import mmap, os, time\n"
@@ -285,6 +285,28 @@ HARM = {
         "    m = mmap.mmap(-1, 10 ** 8); m.write(bytes(10 ** 8)); kept.append(m)\n"
         "    if os.fork() == 0: time.sleep(60)",
         second=None,
+    ),
+    "takes memory in files without a name": Attack(
+        "import os, time\nkept = []\n"
+        "for _ in range(60):\n"
+        "    kept.append(os.memfd_create('a')); os.write(kept[-1], bytes(5 * 10 ** 7))\n"
+        "time.sleep(9)",
+        second=0.0,
+        says="too much memory",
+    ),
+    "takes memory and hides": Attack(
+        "import ctypes, os, time\nctypes.CDLL(None).prctl(4, 0, 0, 0, 0)\n"
+        "for _ in range(9):\n"
+        "    if os.fork() == 0:\n"
+        "        x = b'a' * 250_000_000; time.sleep(60)\n"
+        "time.sleep(60)",
+        second=0.0,
+        says="too much memory",
+    ),
+    "takes old shared memory": Attack(
+        "import ctypes\nlibc = ctypes.CDLL(None)\n"
+        "print('got', [n for n in range(50) if libc.shmget(0, 10 ** 8, 0o1600) >= 0])",
+        says="got []",
     ),
     "fills the temporary folder": Attack(
         "for n in range(99):\n    open(f'/tmp/{n}', 'wb').write(bytes(10 ** 7))", says="OSError"

@@ -1,0 +1,90 @@
+"""What is promised of the walls is tried out, as root and as an ordinary user."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from course_lib.grading import isolation
+from course_lib.grading.explaining import TRIALS, explain_isolation, try_out
+from course_lib.grading.isolation import NoIsolationError, build_walls, demand, why_not
+from course_lib.sandbox.limits import Allowance
+
+walled = pytest.mark.skipif(bool(why_not()), reason=why_not())
+ROOT = Path(__file__).resolve().parents[2]
+SMALL = Allowance(memory=1_500_000_000, processes=30, files=50_000_000)
+ANYBODY = 60_400
+
+
+@pytest.mark.slow
+@walled
+def test_everything_holds_here():
+    assert try_out(SMALL) == [(name, True) for name, *_ in TRIALS]
+
+
+def shared_with_all(folder: Path) -> list[str]:
+    """Return bubblewrap's options that show a folder to all, also below private ones."""
+    options = []
+    for above in reversed(folder.parents):
+        if above.stat().st_mode & 0o005 != 0o005:
+            options += ["--perms", "0755", "--tmpfs", str(above)]
+    for above in reversed(folder.parents):
+        options += ["--perms", "0755", "--dir", str(above)]
+    return [*options, "--ro-bind", str(folder), str(folder)]
+
+
+@pytest.mark.slow
+@walled
+@pytest.mark.skipif(os.getuid() != 0, reason="an ordinary user is the one of the other tests")
+def test_everything_holds_for_an_ordinary_user():
+    folders = {Path(sys.base_prefix).resolve(), Path(sys.prefix), ROOT}
+    shown = [part for folder in sorted(folders) for part in shared_with_all(folder)]
+    code = (
+        "import os\nassert os.getuid() == 60400\n"
+        "from course_lib.grading.explaining import explain_isolation\nprint(explain_isolation())"
+    )
+    person = ["setpriv", f"--reuid={ANYBODY}", f"--regid={ANYBODY}", "--clear-groups"]
+    command = ["bwrap", "--dev-bind", "/", "/", *shown, *person, sys.executable, "-c", code]
+    environment = os.environ | {"HOME": "/tmp", "PYTHONPATH": str(ROOT)}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, cwd="/")
+    assert done.returncode == 0, done.stderr
+    assert "as your user, in a namespace" in done.stdout
+    assert done.stdout.count("  held  ") == len(TRIALS)
+    assert "BROKEN" not in done.stdout
+
+
+@walled
+def test_nothing_but_the_system_python_and_the_library_is_in_sight(tmp_path):
+    command = build_walls("bubblewrap", tmp_path, 9, 0).command
+    places = {command[k + 1] for k, word in enumerate(command) if word.endswith("bind")}
+    own = {sys.prefix, sys.base_prefix, str(Path(sys.executable).resolve().parents[1])}
+    fonts = {place for place in places if "fontlist" in place}
+    assert places - {str(tmp_path)} - own - fonts <= {*isolation.SYSTEM, *isolation.SYSTEM_TOO}
+    assert "--bind" not in command
+    assert "--unshare-net" in command
+
+
+def test_without_bubblewrap_it_says_so_and_refuses(monkeypatch, tmp_path):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    why_not.cache_clear()
+    try:
+        with pytest.raises(NoIsolationError, match=r"apt install bubblewrap.*--isolation none"):
+            demand("bubblewrap")
+        demand("none")
+        assert explain_isolation().startswith("Nothing holds here: bubblewrap is not installed")
+    finally:
+        why_not.cache_clear()
+
+
+def test_a_bubblewrap_that_does_not_work_is_refused(monkeypatch, tmp_path):
+    broken = tmp_path / "bwrap"
+    broken.write_text("#!/bin/sh\necho no namespaces here >&2\nexit 1\n")
+    broken.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    why_not.cache_clear()
+    try:
+        assert why_not() == "bubblewrap does not work here: no namespaces here"
+    finally:
+        why_not.cache_clear()
