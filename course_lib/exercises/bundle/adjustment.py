@@ -70,19 +70,54 @@ SOLVE_NORMAL_BLOCK = Exercise(
         ),
         Misconception(
             step.V_not_inverted,
-            "The better a point is held, the less it gives way. Is your V inverted?",
+            "The better a point is held, the less it gives way. Is your V inverted, as a matrix? "
+            "(`1 / V` and `V**-1` take each number by itself.)",
             also=[
                 step.inverted_entry_by_entry,
+                step.inverted_entry_by_entry_everywhere,
             ],
         ),
         Misconception(
             step.the_last_point_only,
             "With one point it is right. Does each round of your loop add to what was there "
             "before, or replace it?",
+            also=[step.S_of_the_last_point_only, step.right_side_of_the_last_point_only],
         ),
         Misconception(
             step.U_once_for_each_point,
             "With one point it is right. How often does U itself stand in the sum?",
+        ),
+        Misconception(
+            step.U_left_out,
+            "With what do your sums begin, before the first point comes? Look at what stands in "
+            "front of each Σ.",
+            also=[
+                step.both_begin_at_zero,
+                step.both_begin_at_zero_and_grow,
+                step.sum_of_the_points_only,
+                step.gradient_of_cameras_left_out,
+            ],
+        ),
+        Misconception(
+            step.whole_stacks,
+            "W and V are stacks, a block for each point, and the equation has a Σ. Have you a loop "
+            "over the points, with `W[j]` and `V[j]`?",
+            also=[step.whole_stacks_turned_rightly],
+        ),
+        Misconception(
+            step.summed_over_everything,
+            "`np.sum` without an axis makes a single number. Along which axis do the points lie?",
+            also=[step.S_summed_over_everything],
+        ),
+        Misconception(
+            step.back_after_the_first_point,
+            "With one point it is right. Where does your `return` stand: inside of the loop, or "
+            "after it?",
+            also=[step.back_after_the_first_round, step.first_point_only_returned],
+        ),
+        Misconception(
+            step.inverse_times_entries,
+            "In Python `*` multiplies number by number. How is a matrix applied to a vector?",
         ),
         Misconception(
             step.not_transposed,
@@ -131,7 +166,14 @@ BUNDLE_ADJUST = Exercise(
         Misconception(
             wrong.ones_on_the_diagonal,
             "A turn in rad and a move in metres differ by thousands in U. Does your damping add "
-            "the same to all, or a share of each?",
+            "the same to all, or a share of each? Mind the brackets, for U and for V.",
+            also=[wrong.ones_on_U, wrong.ones_on_U_only, wrong.ones_on_V],
+        ),
+        Misconception(
+            wrong.six_rows_for_U,
+            "`np.eye(n)` must be as large as what it damps. How many rows has U, with all its "
+            "cameras, and how many has one block of V?",
+            also=[wrong.as_many_rows_as_points],
         ),
         Misconception(
             wrong.step_subtracted,
@@ -146,12 +188,18 @@ BUNDLE_ADJUST = Exercise(
         ),
         Misconception(
             wrong.every_step_kept,
-            "A step that helps is right. Where do you stay after one that makes the error larger?",
-            also=[wrong.overwritten],
+            "A step that helps is right. Where do you stay after one that makes the error larger? "
+            "(And is the old error that of the old R, t and points?)",
+            also=[wrong.overwritten, wrong.compared_with_a_mixture],
         ),
         Misconception(
             wrong.compared_with_itself,
             "Which two errors do you compare? Do R, t and points still stand for where we were?",
+        ),
+        Misconception(
+            wrong.damping_by_a_hundred,
+            "Where the step leads is right. By which number is the damping divided or multiplied?",
+            also=[wrong.damping_lowered_by_a_hundred, wrong.damping_halved],
         ),
         Misconception(
             wrong.nothing_after_a_refusal,

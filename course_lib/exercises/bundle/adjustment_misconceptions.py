@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from course_lib import bundle
+from course_lib.exercises.bundle.remembering import once
 
 
 def diagonal_larger(block: Any, damping: float) -> Any:
@@ -16,20 +17,6 @@ def diagonal_larger(block: Any, damping: float) -> Any:
 def damped(blocks: Any, damping: float) -> Any:
     U, W, V, g_c, g_p = blocks
     return diagonal_larger(U, damping), W, diagonal_larger(V, damping), g_c, g_p
-
-
-#: A judge tries all wrong answers on the same block: what they have in common is computed once.
-KNOWN: dict[bytes, Any] = {}
-
-
-def once(compute: Any, *parts: Any) -> Any:
-    """Return what a function gives, from memory if it was asked before."""
-    key = b"".join([compute.__name__.encode(), *(np.asarray(part).tobytes() for part in parts)])
-    if key not in KNOWN:
-        if len(KNOWN) > 8:
-            KNOWN.clear()
-        KNOWN[key] = compute(*parts)
-    return KNOWN[key]
 
 
 def start_of(*place: Any) -> Any:
@@ -43,18 +30,19 @@ def stepped(
     """Return where we were, where the step leads, and whether it helps."""
     K, R, t, X, pixels, damping = block
     blocks, error = once(start_of, *block[:5])
-    step, moves = bundle.solve_normal_block(*damp(blocks, damping))
-    there = bundle.move_block(R, t, X, cameras * step, points * moves)
-    return (R, t, X), there, bundle.squared_error(K, *there, pixels) < error
 
+    def moved(*_: Any) -> Any:
+        step, moves = bundle.solve_normal_block(*damp(blocks, damping))
+        there = bundle.move_block(R, t, X, cameras * step, points * moves)
+        return there, bundle.squared_error(K, *there, pixels)
 
-def right_step(*block: Any) -> Any:
-    return stepped(block)
+    there, reached = once(moved, damp.__qualname__, cameras, points, *block)
+    return (R, t, X), there, reached < error
 
 
 def rightly_stepped(*block: Any) -> Any:
     """Return what `stepped` does for the right step."""
-    return once(right_step, *block)
+    return stepped(block)
 
 
 def ended(stepped: Any, damping: float) -> Any:
@@ -107,6 +95,41 @@ def ones_on_the_diagonal(K, R, t, points, pixels, damping):
     return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
 
 
+def ones_on_U(K, R, t, points, pixels, damping):
+    def damp(blocks: Any, damping: float) -> Any:
+        U, W, V, *gradients = blocks
+        return U + damping * np.eye(len(U)), W, diagonal_larger(V, damping), *gradients
+
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
+
+
+def ones_on_U_only(K, R, t, points, pixels, damping):
+    def damp(blocks: Any, damping: float) -> Any:
+        return blocks[0] + damping * np.eye(len(blocks[0])), *blocks[1:]
+
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
+
+
+def ones_on_V(K, R, t, points, pixels, damping):
+    def damp(blocks: Any, damping: float) -> Any:
+        U, W, V, *gradients = blocks
+        return diagonal_larger(U, damping), W, V + damping * np.eye(3), *gradients
+
+    return ended(stepped((K, R, t, points, pixels, damping), damp), damping)
+
+
+def six_rows_for_U(K, R, t, points, pixels, damping):
+    """Damp all of U with six rows, which NumPy refuses."""
+    U, *_ = once(start_of, K, R, t, points, pixels)[0]
+    return U * (1 + damping * np.eye(6))
+
+
+def as_many_rows_as_points(K, R, t, points, pixels, damping):
+    """Damp a block with as many rows as there are points, which NumPy refuses."""
+    V = once(start_of, K, R, t, points, pixels)[0][2]
+    return V * (1 + damping * np.eye(len(V)))
+
+
 def one_left_out(K, R, t, points, pixels, damping):
     def damp(blocks: Any, damping: float) -> Any:
         return damped(blocks, damping - 1)
@@ -143,6 +166,28 @@ def overwritten(K, R, t, points, pixels, damping):
 def compared_with_itself(K, R, t, points, pixels, damping):
     _, there, _ = rightly_stepped(K, R, t, points, pixels, damping)
     return *there, damping * 10
+
+
+def compared_with_a_mixture(K, R, t, points, pixels, damping):
+    here, there, _ = rightly_stepped(K, R, t, points, pixels, damping)
+    reached = bundle.squared_error(K, there[0], there[1], there[2], pixels)
+    mixed = bundle.squared_error(K, there[0], t, points, pixels)
+    return ended((here, there, reached < mixed), damping)
+
+
+def damping_by_a_hundred(K, R, t, points, pixels, damping):
+    here, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
+    return *(there if helps else here), damping / 100 if helps else damping * 100
+
+
+def damping_lowered_by_a_hundred(K, R, t, points, pixels, damping):
+    here, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
+    return *(there if helps else here), damping / 100 if helps else damping * 10
+
+
+def damping_halved(K, R, t, points, pixels, damping):
+    here, there, helps = rightly_stepped(K, R, t, points, pixels, damping)
+    return *(there if helps else here), damping / 2 if helps else damping * 2
 
 
 def nothing_after_a_refusal(K, R, t, points, pixels, damping):

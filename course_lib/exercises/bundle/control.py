@@ -22,7 +22,11 @@ PICTURES_FOR_CIRCLE = Exercise(
         Misconception(
             wrong.rounded_down,
             "How large are the steps with so few pictures: are they still small enough?",
-            also=[wrong.rounded_down_without_care, wrong.floor_division],
+            also=[
+                wrong.rounded_down_without_care,
+                wrong.rounded_down_below_whole_numbers,
+                wrong.floor_division,
+            ],
         ),
         Misconception(
             wrong.rounded_to_the_nearest,
@@ -53,10 +57,6 @@ PICTURES_FOR_CIRCLE = Exercise(
             "With a rest it is right. What if the steps fill the circle?",
         ),
         Misconception(
-            wrong.one_less,
-            "On a line there is one gap less than points. Is it so on a circle?",
-        ),
-        Misconception(
             wrong.rounding_asks_for_one_more,
             "What becomes of 83.00000000000001 when it is rounded up, and is so small a rest real?",
         ),
@@ -84,7 +84,9 @@ CHECK_POINT_RMSE = Exercise(
         ),
         Misconception(
             wrong.mean_of_differences,
-            "Errors of opposite sign: do they cancel in your mean?",
+            "Errors of opposite sign: do they cancel in your mean? What comes first, the square or "
+            "the mean?",
+            also=[wrong.size_of_the_mean, wrong.mean_squared_afterwards],
         ),
         Misconception(
             wrong.root_left_out,
@@ -133,7 +135,8 @@ CHECK_POINT_RMSE = Exercise(
         ),
         Misconception(
             wrong.in_two_pieces,
-            "All four are there. Are they in one array?",
+            "All four are there. Are they in one array? `np.append(a, b)` sets b at the end of a.",
+            also=[wrong.in_unequal_rows],
         ),
         Misconception(
             wrong.space_in_front,
@@ -151,7 +154,15 @@ CHECK_POINT_RMSE = Exercise(
         Misconception(
             wrong.of_each_point,
             "There is a number for each point. Over which axis of the table is the mean?",
-            also=[wrong.distance_of_each_point, wrong.of_each_point_and_all],
+            also=[
+                wrong.distance_of_each_point,
+                wrong.of_each_point_and_all,
+                wrong.of_each_point_and_in_space,
+            ],
+        ),
+        Misconception(
+            wrong.rows_for_columns,
+            "A row of the table is a point. How do you pick its first column, dx of all points?",
         ),
         Misconception(
             wrong.largest_errors,

@@ -50,8 +50,8 @@ def down_and_one_more(step):
     return int(2 * np.pi / step) + 1
 
 
-def one_less(step):
-    return math.ceil(2 * np.pi / step - 1e-9) - 1
+def rounded_down_below_whole_numbers(step):
+    return int(2 * np.pi / step - 1e-9)
 
 
 def rounding_asks_for_one_more(step):
@@ -161,6 +161,34 @@ def axes_not_squared(estimated, surveyed):
 def deviations_and_all(estimated, surveyed):
     off = estimated - surveyed
     return np.append(off.std(axis=0), off.std())
+
+
+def size_of_the_mean(estimated, surveyed):
+    off = (estimated - surveyed).mean(axis=0)
+    return np.append(np.abs(off), np.linalg.norm(off))
+
+
+def mean_squared_afterwards(estimated, surveyed):
+    off = estimated - surveyed
+    return np.append(np.abs(off.mean(axis=0)), np.sqrt((off**2).sum(axis=1).mean()))
+
+
+def rows_for_columns(estimated, surveyed):
+    off = estimated - surveyed
+    dx, dy, dz = off[0], off[1], off[2]
+    squares = [(dx**2).mean(), (dy**2).mean(), (dz**2).mean(), (dx**2 + dy**2 + dz**2).mean()]
+    return np.sqrt(squares)
+
+
+def of_each_point_and_in_space(estimated, surveyed):
+    squares = (estimated - surveyed) ** 2
+    return np.sqrt(np.append(squares.mean(axis=1), squares.sum(axis=1).mean()))
+
+
+def in_unequal_rows(estimated, surveyed):
+    """Put three numbers and one into an array of two entries, which NumPy refuses."""
+    squares = ((estimated - surveyed) ** 2).mean(axis=0)
+    return np.array([np.sqrt(squares), np.sqrt(squares.sum())])
 
 
 def of_each_point_and_all(estimated, surveyed):

@@ -72,6 +72,15 @@ def the_world_for_q(point, K, R, t):
     return chained(by_the_ray(K, point), point, R)
 
 
+def the_world_for_the_first_link(point, K, R, t):
+    return chained(by_the_ray(K, point), R @ point + t, R)
+
+
+def intrinsics_by_depth(point, K, R, t):
+    q = R @ point + t
+    return chained(K[:2] / q[2], q, R)
+
+
 def rotation_transposed(point, K, R, t):
     q = R @ point + t
     return chained(by_the_ray(K, q), q, R.T)

@@ -142,7 +142,8 @@ def a_step_that_helps(rng: Generator) -> Inputs:
 def a_step_that_does_not(rng: Generator) -> Inputs:
     """Draw a block whose first picture was held upright, which its start does not know.
 
-    A first step is made here. The one after it is too long.
+    A first step is made here. The one after it is too long, and its R with the old t and points
+    fits even worse than all of it: where the old error is meant, that one tells.
     """
     while True:
         block = some_pixels_wrong(rng, 0.002)
@@ -150,8 +151,17 @@ def a_step_that_does_not(rng: Generator) -> Inputs:
         block["R"] = np.concatenate([[turn @ block["R"][0]], block["R"][1:]])
         block["t"] = np.concatenate([[turn @ block["t"][0]], block["t"][1:]])
         after, gain = stepped(block)
-        if gain > 0 > stepped(after)[1]:
+        if gain > 0 and refused(after):
             return after
+
+
+def refused(block: Inputs) -> bool:
+    """Say whether a step makes the error larger, and its R alone makes it larger still."""
+    place = {name: value for name, value in block.items() if name != "damping"}
+    there, gain = stepped(block)
+    return gain < 0 and gain > bundle.squared_error(**place) - bundle.squared_error(
+        **{**place, "R": there["R"]}
+    )
 
 
 def stepped(block: Inputs) -> tuple[Inputs, float]:

@@ -58,8 +58,9 @@ def reprojection_jacobian(point, K, R, t):
 
     - the pixel ``u = fx x/z + cx``, ``v = fy y/z + cy`` changes with q by a matrix A of shape
       (2, 3): derivatives of u in the first row, of v in the second, by x, y and z in the columns;
-    - q changes by ``-[q]ₓ`` times a small turn of the camera, by ``-R`` times a move of its centre,
-      and by ``R`` times a move of the point.
+    - q changes by ``-[q]ₓ`` times w, if R is followed by a small turn w of all that the camera
+      sees (q goes to ``q + w × q``), by ``-R`` times a move of the camera's centre, and by ``R``
+      times a move of the point.
 
     Parameters
     ----------
@@ -73,7 +74,7 @@ def reprojection_jacobian(point, K, R, t):
     Returns
     -------
     by_pose : ndarray, shape (2, 6)
-        Three columns for the turn of the camera, and next to them three for the move of its centre.
+        Three columns for the turn w, and next to them three for the move of the centre.
     by_point : ndarray, shape (2, 3)
         For the move of the point. (``transforms.skew(q)`` is ``[q]ₓ``, as in chapter 08.)
 

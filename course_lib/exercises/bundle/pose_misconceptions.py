@@ -7,18 +7,11 @@ from typing import Any
 import numpy as np
 
 from course_lib import resection
-
-#: A judge tries all wrong answers on the same points: their camera is computed once.
-CAMERAS: dict[bytes, Any] = {}
+from course_lib.exercises.bundle.remembering import once
 
 
 def camera_of(points: Any, pixels: Any) -> Any:
-    key = points.tobytes() + pixels.tobytes()
-    if key not in CAMERAS:
-        if len(CAMERAS) > 8:
-            CAMERAS.clear()
-        CAMERAS[key] = resection.camera_dlt(points, pixels)
-    return CAMERAS[key].copy()
+    return once(resection.camera_dlt, points, pixels).copy()
 
 
 def parts_of(M: Any) -> Any:
@@ -153,6 +146,41 @@ def columns_made_length_one(points, pixels, K):
 def columns_made_length_one_only(points, pixels, K):
     M = without_K(points, pixels, K)
     return M[:, :3] / np.linalg.norm(M[:, :3], axis=0), M[:, 3]
+
+
+def made_length_one_and_divided_by_the_first(points, pixels, K):
+    M = without_K(points, pixels, K)
+    lengths = np.linalg.norm(M[:, :3], axis=0)
+    return M[:, :3] / lengths, M[:, 3] / lengths[0]
+
+
+def made_length_one_and_divided_by_the_mean(points, pixels, K):
+    M = without_K(points, pixels, K)
+    lengths = np.linalg.norm(M[:, :3], axis=0)
+    return M[:, :3] / lengths, M[:, 3] / lengths.mean()
+
+
+def divided_by_the_length_of_the_first(points, pixels, K):
+    M = without_K(points, pixels, K)
+    M = M / np.linalg.norm(M[:, 0])
+    return M[:, :3], M[:, 3]
+
+
+def entries_multiplied(points, pixels, K):
+    U, S, Vt, last = parts_of(without_K(points, pixels, K))
+    return U * Vt, last / S.mean()
+
+
+def svd_of_all_four_unfitting(points, pixels, K):
+    M = without_K(points, pixels, K)
+    U, S, Vt = np.linalg.svd(M)
+    return U @ Vt, M[:, 3] / S.mean()
+
+
+def svd_of_all_four_cut(points, pixels, K):
+    M = without_K(points, pixels, K)
+    U, S, Vt = np.linalg.svd(M, full_matrices=False)
+    return U @ Vt, M[:, 3] / S.mean()
 
 
 def multiplied_instead(points, pixels, K):

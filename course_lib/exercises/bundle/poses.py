@@ -46,6 +46,9 @@ RESECT_CAMERA = Exercise(
                 wrong.lengths_put_back,
                 wrong.columns_made_length_one,
                 wrong.columns_made_length_one_only,
+                wrong.made_length_one_and_divided_by_the_first,
+                wrong.made_length_one_and_divided_by_the_mean,
+                wrong.divided_by_the_length_of_the_first,
             ],
         ),
         Misconception(
@@ -84,8 +87,13 @@ RESECT_CAMERA = Exercise(
             "A product of matrices has an order. Which of the two stands on the left in the SVD?",
         ),
         Misconception(
+            wrong.entries_multiplied,
+            "In Python `*` multiplies number by number. Which sign multiplies matrices?",
+        ),
+        Misconception(
             wrong.svd_of_all_four,
             "A rotation has three columns. Of how many columns do you take the SVD?",
+            also=[wrong.svd_of_all_four_unfitting, wrong.svd_of_all_four_cut],
         ),
         Misconception(
             wrong.rotation_with_K_in_it,
@@ -155,6 +163,10 @@ REPROJECTION_JACOBIAN = Exercise(
             "nearer?",
         ),
         Misconception(
+            slope.intrinsics_by_depth,
+            "Your A is K by z. But u is a fraction, and z stands below: how does u change with z?",
+        ),
+        Misconception(
             slope.fx_for_both,
             "The row of u is right. Which focal length belongs to v?",
         ),
@@ -175,6 +187,7 @@ REPROJECTION_JACOBIAN = Exercise(
             "At the origin it is right. Where is the point in the frame of a camera that stands "
             "elsewhere?",
             also=[
+                slope.the_world_for_the_first_link,
                 slope.translation_left_out,
                 slope.rotation_left_out_of_q,
                 slope.rotation_transposed_in_q,
@@ -188,7 +201,7 @@ REPROJECTION_JACOBIAN = Exercise(
         ),
         Misconception(
             slope.turn_of_the_world_point,
-            "At the origin it is right. A camera turns about its own centre: which vector from "
+            "At the origin it is right. The turn is about the camera's centre: which vector from "
             "there leads to the point?",
         ),
         Misconception(
@@ -198,8 +211,8 @@ REPROJECTION_JACOBIAN = Exercise(
         ),
         Misconception(
             slope.turn_with_plus,
-            "Look at the first three columns: which sign has the cross product when the order of "
-            "the two vectors changes?",
+            "A turn w of all that is seen moves q by w × q. Which sign comes when you write that "
+            "as q × …?",
         ),
         Misconception(
             slope.turn_left_unchained,

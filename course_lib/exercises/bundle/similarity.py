@@ -29,6 +29,10 @@ SIMILARITY_TRANSFORM = Exercise(
             "of U?",
         ),
         Misconception(
+            wrong.rotation_before_the_test,
+            "Your U and S have changed their sign. Is R made of them after that, or before?",
+        ),
+        Misconception(
             wrong.whole_matrix_turned,
             "Changing all signs of R turns the model upside down. Which direction is known worst?",
         ),
@@ -102,11 +106,12 @@ SIMILARITY_TRANSFORM = Exercise(
         Misconception(
             wrong.means_left_on,
             "Points far from zero: are their products about how they lie to each other?",
-            also=[wrong.means_left_on_unguarded],
+            also=[wrong.means_left_on_unguarded, wrong.means_left_on_M],
         ),
         Misconception(
             wrong.mean_of_all_numbers,
-            "Your mean is a single number. How many has the middle of points in space?",
+            "`mean()` without an axis is a single number. How many has the middle of points?",
+            also=[wrong.mean_of_all_numbers_turned],
         ),
         Misconception(
             wrong.move_of_one_point,

@@ -6,16 +6,26 @@ from typing import Any
 
 import numpy as np
 
+from course_lib.exercises.bundle.remembering import once
+
 
 def parts(points: Any, targets: Any) -> Any:
     """Return the means, what is left of points and targets, and the SVD of M."""
+    return once(taken_apart, points, targets)
+
+
+def right(points: Any, targets: Any) -> Any:
+    """Return the right answer."""
+    return once(laid_rightly, points, targets)
+
+
+def taken_apart(points: Any, targets: Any) -> Any:
     middle, goal = points.mean(axis=0), targets.mean(axis=0)
     x, y = points - middle, targets - goal
     return middle, goal, x, y, *np.linalg.svd(y.T @ x)
 
 
-def right(points: Any, targets: Any) -> Any:
-    """Return the right answer."""
+def laid_rightly(points: Any, targets: Any) -> Any:
     middle, goal, x, _, U, S, Vt = parts(points, targets)
     signs = np.array([1, 1, np.sign(np.linalg.det(U @ Vt))])
     R, scale = (U * signs) @ Vt, (S * signs).sum() / (x**2).sum()
@@ -181,6 +191,27 @@ def means_left_on(points, targets):
 def means_left_on_unguarded(points, targets):
     U, S, Vt = np.linalg.svd(targets.T @ points)
     return laid(points, targets, S.sum() / (points**2).sum(), U @ Vt)
+
+
+def means_left_on_M(points, targets):
+    U, S, Vt = np.linalg.svd(targets.T @ points)
+    signs = np.array([1, 1, np.sign(np.linalg.det(U @ Vt))])
+    x = points - points.mean(axis=0)
+    return laid(points, targets, (S * signs).sum() / (x**2).sum(), (U * signs) @ Vt)
+
+
+def rotation_before_the_test(points, targets):
+    *_, U, _, Vt = parts(points, targets)
+    return laid(points, targets, right(points, targets)[0], U @ Vt)
+
+
+def mean_of_all_numbers_turned(points, targets):
+    """Turn the single number, which NumPy refuses."""
+    middle, goal = points.mean(), targets.mean()
+    x, y = points - middle, targets - goal
+    U, S, Vt = np.linalg.svd(y.T @ x)
+    R, scale = U @ Vt, S.sum() / (x**2).sum()
+    return scale, R, goal - scale * R @ middle
 
 
 def mean_of_all_numbers(points, targets):
