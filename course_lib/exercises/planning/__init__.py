@@ -7,6 +7,7 @@ from course_lib.exercises.planning.flight import (
     PHOTO_COUNT,
 )
 from course_lib.exercises.planning.overlaps import BASE_FOR_OVERLAP, OVERLAP
+from course_lib.exercises.planning.setup import EXPLAIN_TWICE_AS_HIGH, PLAN_SETUP
 from course_lib.exercises.planning.view import BOX_IN_VIEW, OBJECT_RESOLUTION
 
 #: In the order of the lesson.
@@ -19,4 +20,6 @@ EXERCISES = (
     BASE_FOR_OVERLAP,
     MAX_SPEED,
     PHOTO_COUNT,
+    EXPLAIN_TWICE_AS_HIGH,
+    PLAN_SETUP,
 )

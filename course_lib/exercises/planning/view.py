@@ -85,7 +85,6 @@ BOX_IN_VIEW = Exercise(
         Misconception(
             wrong.order_of_a_frame,
             "The numbers are right. In which order are they asked for?",
-            also=[wrong.rows_first],
         ),
         Misconception(
             wrong.division_forgotten,
@@ -114,7 +113,6 @@ BOX_IN_VIEW = Exercise(
             also=[
                 wrong.none_for_behind,
                 wrong.one_number_for_behind,
-                wrong.infinite_room_for_behind,
             ],
         ),
     ],

@@ -20,8 +20,9 @@ def seen_by(P: Any, corners: Any) -> Any:
     return P @ np.column_stack([corners, np.ones(len(corners))]).T
 
 
-def room(a: Any, b: Any, w: Any, image_size: Any) -> Any:
+def room(seen: Any, image_size: Any) -> Any:
     """Return the right answer for points given by their homogeneous pixels."""
+    a, b, w = seen
     if (w <= 0).any():
         return np.full(4, -np.inf)
     u, v = a / w, b / w
@@ -31,7 +32,7 @@ def room(a: Any, b: Any, w: Any, image_size: Any) -> Any:
 
 
 def room_around(centre: Any, half: Any, P: Any, image_size: Any) -> Any:
-    return room(*seen_by(P, corners_of(centre, half)), image_size)
+    return room(seen_by(P, corners_of(centre, half)), image_size)
 
 
 def motion_forgotten(size, centre, motion, P, image_size):
@@ -73,17 +74,17 @@ def only_the_middle(size, centre, motion, P, image_size):
 
 def two_corners(size, centre, motion, P, image_size):
     half = size / 2 + motion
-    return room(*seen_by(P, np.array([centre - half, centre + half])), image_size)
+    return room(seen_by(P, np.array([centre - half, centre + half])), image_size)
 
 
 def one_face(size, centre, motion, P, image_size):
     corners = corners_of(centre, size / 2 + motion)
-    return room(*seen_by(P, corners[::2]), image_size)
+    return room(seen_by(P, corners[::2]), image_size)
 
 
 def other_face(size, centre, motion, P, image_size):
     corners = corners_of(centre, size / 2 + motion)
-    return room(*seen_by(P, corners[1::2]), image_size)
+    return room(seen_by(P, corners[1::2]), image_size)
 
 
 def place_forgotten(size, centre, motion, P, image_size):
@@ -146,14 +147,9 @@ def order_of_a_frame(size, centre, motion, P, image_size):
     return np.array([left, top, right, bottom])
 
 
-def rows_first(size, centre, motion, P, image_size):
-    left, right, top, bottom = room_around(centre, size / 2 + motion, P, image_size)
-    return np.array([top, bottom, left, right])
-
-
 def division_forgotten(size, centre, motion, P, image_size):
     a, b, w = seen_by(P, corners_of(centre, size / 2 + motion))
-    return room(a, b, np.where(w > 0, 1, -1), image_size)
+    return room((a, b, np.where(w > 0, 1, -1)), image_size)
 
 
 def yes_or_no(size, centre, motion, P, image_size):
@@ -170,18 +166,18 @@ def room_not_below_zero(size, centre, motion, P, image_size):
 
 def behind_is_before(size, centre, motion, P, image_size):
     a, b, w = seen_by(P, corners_of(centre, size / 2 + motion))
-    return room(a / w, b / w, np.ones(8), image_size)
+    return room((a / w, b / w, np.ones(8)), image_size)
 
 
 def behind_left_out(size, centre, motion, P, image_size):
     a, b, w = seen_by(P, corners_of(centre, size / 2 + motion))
     before = w > 0
-    return room(a[before], b[before], w[before], image_size)
+    return room((a[before], b[before], w[before]), image_size)
 
 
 def behind_turned_round(size, centre, motion, P, image_size):
     a, b, w = seen_by(P, corners_of(centre, size / 2 + motion))
-    return room(a, b, np.abs(w), image_size)
+    return room((a, b, np.abs(w)), image_size)
 
 
 def nan_for_behind(size, centre, motion, P, image_size):
@@ -197,11 +193,3 @@ def none_for_behind(size, centre, motion, P, image_size):
 def one_number_for_behind(size, centre, motion, P, image_size):
     found = room_around(centre, size / 2 + motion, P, image_size)
     return found if np.isfinite(found).all() else -np.inf
-
-
-def infinite_room_for_behind(size, centre, motion, P, image_size):
-    return (
-        np.abs(found)
-        if np.isinf(found := room_around(centre, size / 2 + motion, P, image_size)).any()
-        else found
-    )

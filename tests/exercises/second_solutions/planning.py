@@ -1,3 +1,4 @@
+import itertools
 import math
 
 import numpy as np
@@ -58,3 +59,30 @@ def photo_count(length, width, base, distance, footprint_width):
     while footprint_width + (strips - 1) * distance < width:
         strips += 1
     return [pictures, strips]
+
+
+def plan_setup(task, cameras, lenses):
+    """From the far end: the camera goes back as far as the resolution lets it, or nearly."""
+    plans = []
+    for (c, camera), (k, lens) in itertools.product(enumerate(cameras), enumerate(lenses)):
+        f = lens["f_mm"] * 1000 / camera["pitch_um"]  # px
+        room = [
+            camera[side] / (task[side] + 2 * task["motion"]) / f for side in ("width", "height")
+        ]
+        near = max(1 / min(room), task["stand_off"], lens["closest"])
+        reserve = task["resolution"] * f - near - task["depth"]
+        if camera["frame_rate"] < task["frame_rate"] or reserve < 0:
+            continue
+        near += 0.3 * reserve
+        middle = near + task["depth"] / 2
+        spot = task["blur_px"] * camera["pitch_um"]
+        ends = [lens["f_mm"], near, near + task["depth"], spot, 0.55]
+        least, most = aperture_window(*ends)
+        N = max(least * 1.01, lens["N_least"])
+        shortest = 1.01 * N * N * task["exposure_at_f1"]
+        smear = task["speed"] * shortest * f / near
+        quick = smear < task["blur_px"] and shortest * task["frame_rate"] < 1
+        if min(most, lens["N_most"]) > N and quick:
+            plans.append((N, c, k, middle, shortest))
+    N, c, k, middle, time = min(plans)
+    return {"exposure_time": time, "N": N, "lens": k, "camera": c, "distance": middle}

@@ -1,0 +1,209 @@
+"""The capstone of chapter 11: a set-up, judged demand by demand, and a question on flights."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from course_lib.exercises.planning import setup_inputs as inputs
+from course_lib.exercises.planning import setup_misconceptions as wrong
+from course_lib.exercises.planning.demands import all_met_if, demand, met_if
+from course_lib.exercises.planning.plain_setup import plan_setup
+from course_lib.judging import Case, Exercise, Explain, Misconception, Part
+
+Inputs = dict[str, Any]
+
+
+def task_without(*names: str, share: float = 0.0) -> Any:
+    """Return the reading in which some numbers of the task are smaller, or zero."""
+
+    def read(_: Inputs, posed: Inputs) -> None:
+        posed["task"] |= {name: share * posed["task"][name] for name in names}
+
+    return read
+
+
+def with_coarser_pixels(_: Inputs, posed: Inputs) -> None:
+    posed["task"]["resolution"] = float("inf")
+
+
+def with_faster_cameras(_: Inputs, posed: Inputs) -> None:
+    posed["cameras"] = [camera | {"frame_rate": float("inf")} for camera in posed["cameras"]]
+
+
+def one_less(plan: Inputs, _: Inputs) -> None:
+    plan |= {"camera": plan["camera"] - 1, "lens": plan["lens"] - 1}
+
+
+def distance_by_1000(plan: Inputs, _: Inputs) -> None:
+    plan["distance"] /= 1000
+
+
+def exposure_by_1000(plan: Inputs, _: Inputs) -> None:
+    plan["exposure_time"] /= 1000
+
+
+def exposure_inverted(plan: Inputs, _: Inputs) -> None:
+    plan["exposure_time"] = 1 / plan["exposure_time"]
+
+
+def half_a_box_farther(plan: Inputs, posed: Inputs) -> None:
+    plan["distance"] += posed["task"]["depth"] / 2
+
+
+def exposure_as_the_rate_allows(plan: Inputs, posed: Inputs) -> None:
+    plan["exposure_time"] = min(plan["exposure_time"], 1 / posed["task"]["frame_rate"])
+
+
+def with_n_for_its_square(plan: Inputs, posed: Inputs) -> None:
+    posed["task"]["exposure_at_f1"] /= plan["N"]
+
+
+def nothing_came(_: Case, plan: Any) -> bool:
+    return plan is None
+
+
+def too_far_stopped_down(case: Case, plan: Any) -> bool:
+    """Return whether it is diffraction that such a set-up has too much of."""
+    wider = met_if(lambda less, _: less.update(N=less["N"] / 4))
+    return case.part == "diffraction" and wider(case, plan)
+
+
+PLAN_SETUP = Exercise(
+    "planning",
+    plan_setup,
+    points=15,
+    parts={
+        "in view": Part(inputs.dark, 1, 3, demand("in view")),
+        "resolution": Part(inputs.tempting_cameras, 1, 2, demand("resolution")),
+        "depth of field": Part(inputs.bright, 1, 2, demand("depth of field")),
+        "diffraction": Part(inputs.bright, 1, 1.5, demand("diffraction")),
+        "distance": Part(inputs.far_off, 1, 1, demand("distance")),
+        "motion blur": Part(inputs.dark, 1, 2, demand("motion blur")),
+        "frame rate": Part(inputs.slow, 1, 1.5, demand("frame rate")),
+        "light": Part(inputs.dark, 1, 2, demand("light")),
+    },
+    misconceptions=[
+        Misconception(
+            wrong.nothing_found,
+            "There is a pair that does it. Print its demands one by one: which one rejects it?",
+            also=[wrong.sides_exchanged, wrong.pitch_in_mm],
+            explains=nothing_came,
+        ),
+        Misconception(
+            wrong.counted_from_one,
+            "Which number has the first camera in the list?",
+            explains=all_met_if(one_less),
+        ),
+        Misconception(
+            wrong.distance_in_mm,
+            "In which unit is the distance asked for?",
+            explains=all_met_if(distance_by_1000),
+        ),
+        Misconception(
+            wrong.exposure_in_ms,
+            "In which unit is the exposure time asked for?",
+            explains=all_met_if(exposure_by_1000),
+        ),
+        Misconception(
+            wrong.one_over_the_exposure,
+            "An exposure of 1/200: is the time 200 seconds?",
+            explains=all_met_if(exposure_inverted),
+        ),
+        Misconception(
+            wrong.motion_shared,
+            "The box moves to the left and to the right. How much wider is the room that it needs?",
+            explains=met_if(task_without("motion", share=0.5), just=True),
+        ),
+        Misconception(
+            wrong.motion_forgotten,
+            "At rest the box is just in view. What happens to its edge when it moves?",
+            explains=met_if(task_without("motion"), just=True),
+        ),
+        Misconception(
+            wrong.half_the_box,
+            "Half of the box fits into the picture. Do you hold a half against a whole?",
+            explains=met_if(task_without("width", "height", "motion", share=0.5)),
+        ),
+        Misconception(
+            wrong.wide_open,
+            "The middle of the box is sharp. Which f-number do its two ends need?",
+            also=[wrong.stop_rounded_down],
+            explains=lambda case, plan: (
+                case.part == "depth of field" and met_if(task_without("depth"))(case, plan)
+            ),
+        ),
+        Misconception(
+            wrong.stand_off_forgotten,
+            "Everything fits. How near may the camera come to the box?",
+            explains=met_if(task_without("stand_off")),
+        ),
+        Misconception(
+            wrong.front_for_the_middle,
+            "To which place of the box is the distance measured: to its front, or to its middle?",
+            explains=met_if(half_a_box_farther, just=True),
+        ),
+        Misconception(
+            wrong.only_the_middle,
+            "You compute with the middle of the box. Which of its faces is nearer, and which is farther?",
+            explains=met_if(task_without("depth")),
+        ),
+        Misconception(
+            wrong.resolution_not_looked_at,
+            "This camera sees all of the box. How much of it does one pixel cover at the far face?",
+            explains=met_if(with_coarser_pixels),
+        ),
+        Misconception(
+            wrong.slow_camera,
+            "How many pictures a second can the camera take that you chose?",
+            explains=met_if(with_faster_cameras),
+        ),
+        Misconception(
+            wrong.as_long_as_the_smear_allows,
+            "Can an exposure last longer than the time from one picture to the next?",
+            explains=met_if(exposure_as_the_rate_allows),
+        ),
+        Misconception(
+            wrong.as_long_as_the_rate_allows,
+            "The exposure fits between two pictures. How far does the object move meanwhile?",
+            explains=met_if(task_without("speed")),
+        ),
+        Misconception(
+            wrong.stopped_down,
+            "You stop down far. What does a small aperture do to a point, even a sharp one?",
+            explains=too_far_stopped_down,
+        ),
+        Misconception(
+            wrong.f_number_not_squared,
+            "Twice the f-number, half the diameter. Which share of the light comes through?",
+            explains=met_if(with_n_for_its_square, just=True),
+        ),
+        Misconception(
+            wrong.light_forgotten,
+            "Short exposures do not smear. Is there enough light for yours?",
+            explains=met_if(task_without("exposure_at_f1")),
+        ),
+    ],
+)
+
+EXPLAIN_TWICE_AS_HIGH = Explain(
+    "planning",
+    "explain_twice_as_high",
+    rubric=[
+        (1, "Says that the ground sampling distance doubles, and so does the smallest object."),
+        (1, "Says that the footprint doubles, so that base and distance may double."),
+        (1, "Says that about a quarter of the pictures is left, and why not exactly a quarter."),
+        (1, "Names another change with its reason: speed and smear, or hidden ground, or relief."),
+    ],
+    model_answer=(
+        "Twice as high, a pixel covers twice as much: the ground sampling distance doubles, and "
+        "the smallest object that can be told is twice as large. The footprint is twice as long "
+        "and as wide. With the same overlaps, the pictures are taken twice as far apart, and so "
+        "are the strips. Half as many pictures in a strip and half as many strips make a quarter "
+        "of the pictures; a few more, because of the one added at the end of each strip and the "
+        "one strip more, which do not halve. The camera may fly twice as fast, both for the "
+        "interval and for the smear, which is measured in larger pixels. A pit or a building "
+        "takes a smaller share of the height above ground, so that the overlap varies less; how "
+        "much a wall hides depends on the angle at which it is seen, which stays the same at the "
+        "edge of the picture."
+    ),
+)

@@ -1,0 +1,83 @@
+"""Inputs for the set-up of chapter 11: tasks that one of three cameras does with the right lens."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numpy.random import Generator
+
+from course_lib.exercises.planning.demands import WAVELENGTH_UM, window
+
+Inputs = dict[str, Any]
+FOCAL_LENGTHS = (12, 16, 25, 35, 50, 75)
+
+
+def three_digits(number: float) -> float:
+    return float(f"{number:.3g}")
+
+
+def camera(rng: Generator) -> Inputs:
+    width = int(rng.choice([1600, 1920, 2048, 2464]))
+    size = {"width": width, "height": int(width * rng.choice([0.625, 0.75]))}
+    pitch, rate = float(rng.choice([3.45, 4.5, 5.5, 5.86])), float(rng.integers(60, 160))
+    return {**size, "pitch_um": pitch, "frame_rate": rate}
+
+
+def lens(f_mm: float) -> Inputs:
+    return {"f_mm": float(f_mm), "N_least": 1.4, "N_most": 16.0, "closest": round(f_mm * 0.008, 3)}
+
+
+def box(rng: Generator, right: Inputs, f_mm: float, near: float, blur_px: float) -> Inputs:
+    """Choose a box that fills the picture of the right camera with the middle lens."""
+    p, f = right["pitch_um"] / 1e6, f_mm / 1e3
+    across, upright = (right[side] * p * near / f for side in ("width", "height"))
+    motion = round(across * rng.uniform(0.035, 0.05), 3)
+    N = rng.uniform(0.52, 0.62) * blur_px * p / (2.44 * 0.55e-6)
+    depth = round(2 * blur_px * p * near**2 * N / f**2, 3)
+    size = {"width": round(across - 2 * motion, 3), "height": round(0.8 * upright - 2 * motion, 3)}
+    resolution = three_digits(1.02 * (near + depth) * p / f)
+    return {**size, "depth": depth, "motion": motion, "resolution": resolution}
+
+
+def setup(rng: Generator, slow: bool, light: float, stand_off: float, last: int = 2) -> Inputs:
+    """Choose the light as a share of what there may be, and where the right camera stands."""
+    right, blur_px = camera(rng), float(rng.choice([1.5, 2, 2.5]))
+    middle = int(rng.integers(1, 5))
+    f_mm = FOCAL_LENGTHS[middle]
+    near = rng.uniform(20, 32) * f_mm / 1e3
+    task = box(rng, right, f_mm, near, blur_px)
+    rate = round(right["frame_rate"] * rng.uniform(0.5, 0.8))
+    longest = rng.uniform(1.5, 3) / rate if slow else 1 / rate / rng.uniform(2.5, 5)
+    speed = three_digits(blur_px * right["pitch_um"] / 1e3 * near / f_mm / longest)
+    spot, far = blur_px * right["pitch_um"], near + task["depth"]
+    N, _ = window(f_mm, near, far, spot, WAVELENGTH_UM)
+    task |= {"speed": speed, "blur_px": blur_px, "frame_rate": float(rate)}
+    task |= {"stand_off": three_digits(stand_off * near)}
+    task |= {"exposure_at_f1": three_digits(light * min(longest, 1 / rate) / N**2)}
+    coarse = right | {"width": right["width"] // 2, "height": right["height"] // 2}
+    late = right | {"frame_rate": float(round(rate * rng.uniform(0.5, 0.8)))}
+    wrong = [coarse, late] if rng.integers(2) else [late, coarse]
+    lenses = [lens(f) for f in FOCAL_LENGTHS[middle - 1 : middle + 2]]
+    return {"task": task, "cameras": [*wrong[:last], right, *wrong[last:]], "lenses": lenses}
+
+
+def dark(rng: Generator) -> Inputs:
+    return setup(rng, False, rng.uniform(0.45, 0.55), 0.25, int(rng.integers(3)))
+
+
+def bright(rng: Generator) -> Inputs:
+    return setup(rng, False, rng.uniform(0.04, 0.07), 0.25, int(rng.integers(3)))
+
+
+def tempting_cameras(rng: Generator) -> Inputs:
+    """Put the cameras that will not do before the one that will."""
+    return setup(rng, False, rng.uniform(0.04, 0.07), 0.25)
+
+
+def slow(rng: Generator) -> Inputs:
+    return setup(rng, True, rng.uniform(0.45, 0.55), 0.25)
+
+
+def far_off(rng: Generator) -> Inputs:
+    """Ask for more distance than the first lenses that fit would take."""
+    return setup(rng, False, rng.uniform(0.04, 0.07), rng.uniform(1.1, 1.2), int(rng.integers(3)))
