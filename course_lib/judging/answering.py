@@ -71,6 +71,11 @@ class Answer:
     changed_inputs: tuple[str, ...] = ()
     called: tuple[str, ...] = ()
 
+    @property
+    def refuses(self) -> bool:
+        """Whether an exception came, and not only because an `if` was given an array."""
+        return self.status == "raised" and "truth value of an array" not in self.message
+
 
 def answer(
     exercise: Exercise,

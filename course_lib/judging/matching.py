@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -135,8 +136,14 @@ def _far_apart(compare: Close, given: Any, outcome: Any) -> bool:
 
 
 def _failure(answer: Answer) -> tuple[str, str, str]:
-    """Return why there is no value; of a message the words, as its numbers are the inputs'."""
-    words = "".join(c for c in answer.message if c.isalpha()) if answer.status == "raised" else ""
+    """Return why there is no value.
+
+    Of a message only the words count, as its numbers are the inputs'; and none of them where the
+    student raised it: everyone writes other words.
+    """
+    own = answer.refuses and re.search(r"\braise\b", answer.line)
+    said = answer.status == "raised" and not own
+    words = "".join(c for c in answer.message if c.isalpha()) if said else ""
     return answer.status, answer.error, words
 
 

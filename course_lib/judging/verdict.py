@@ -154,7 +154,7 @@ def _judge_refusal(case: Case, given: Answer, truth: Raises, reveal: bool) -> Fe
     wanted = f"There is no answer here: the function should raise a {truth.error}."
     if given.status == "value":
         return Feedback("values", wanted, case, given.value)
-    if given.error == truth.error:
+    if given.refuses and given.error == truth.error:
         return Feedback("right", "Right.", case)
     return Feedback("raised", f"{wanted} {_sentence(given, reveal)}", case)
 

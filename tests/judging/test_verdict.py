@@ -114,6 +114,30 @@ def test_another_exception_than_the_right_one_is_wrong():
     assert "stopped with KeyError" in message
 
 
+def test_an_array_in_an_if_is_no_refusal():
+    def asked_at_once(value):
+        if np.array([value, value]) < 0:
+            raise ValueError
+        return value**0.5
+
+    found = refused(asked_at_once)
+    assert found.points == 0
+    assert "one yes or no" in found.parts[1].feedback.message
+
+
+def test_the_words_of_a_students_own_error_do_not_hide_the_misconception():
+    def refuses_all(value):
+        raise ValueError("this has no root, I think")
+
+    def refuses_all_in_silence(value):
+        raise ValueError
+
+    too_strict = Misconception(refuses_all_in_silence, "Has nothing a root?")
+    exercise = replace(ROOT, misconceptions=[too_strict])
+    cases = pose(exercise, 3)
+    assert judge(exercise, cases, answer(exercise, refuses_all, cases)).hints == (too_strict.hint,)
+
+
 def test_a_function_that_is_not_there_yet_does_not_refuse():
     found = refused(refusing(NotImplementedError()))
     assert found.points == 2

@@ -60,7 +60,9 @@ DEPTH_FROM_DISPARITY = Exercise(
         ),
         Misconception(
             wrong.nothing_refused,
-            "Right where there is a depth. Which sums of disparity and offset have none?",
+            "Right where there is a depth. Which sums of disparity and offset have none, and does "
+            "your question find a single one among many?",
+            also=[wrong.asked_whether_any_is_small, wrong.refused_if_all],
         ),
         Misconception(
             wrong.nan_for_refused,
@@ -71,6 +73,15 @@ DEPTH_FROM_DISPARITY = Exercise(
                 wrong.left_out_for_refused,
                 wrong.none_for_refused,
             ],
+        ),
+        Misconception(
+            wrong.error_returned,
+            "You found what has no depth. Is an error returned, or raised?",
+            also=[wrong.kind_of_error_returned, wrong.name_of_the_error_returned],
+        ),
+        Misconception(
+            wrong.other_error,
+            "You refuse what has no depth. Which kind of error does the task name?",
         ),
         Misconception(
             wrong.sign_lost,

@@ -121,6 +121,40 @@ def array_in_an_if(disparity, f, baseline, offset):
     return f * baseline / (disparity + offset)
 
 
+def asked_whether_any_is_small(disparity, f, baseline, offset):
+    if (disparity + offset).any() <= 0:
+        raise ValueError
+    return f * baseline / (disparity + offset)
+
+
+def refused_if_all(disparity, f, baseline, offset):
+    if (disparity + offset <= 0).all():
+        raise ValueError
+    return f * baseline / (disparity + offset)
+
+
+def error_returned(disparity, f, baseline, offset):
+    sums = disparity + offset
+    return ValueError() if (sums <= 0).any() else f * baseline / sums
+
+
+def kind_of_error_returned(disparity, f, baseline, offset):
+    sums = disparity + offset
+    return ValueError if (sums <= 0).any() else f * baseline / sums
+
+
+def name_of_the_error_returned(disparity, f, baseline, offset):
+    sums = disparity + offset
+    return "ValueError" if (sums <= 0).any() else f * baseline / sums
+
+
+def other_error(disparity, f, baseline, offset):
+    sums = disparity + offset
+    if (sums <= 0).any():
+        raise Exception
+    return f * baseline / sums
+
+
 # --- depth_uncertainty ------------------------------------------------------------------------
 
 

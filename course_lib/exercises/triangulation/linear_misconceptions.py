@@ -192,3 +192,12 @@ def all_in_one_row(pixels, cameras):
 def singular_values(pixels, cameras):
     s = np.linalg.svd(rows_of(pixels, cameras))[1]
     return s[:3] / s[3]
+
+
+def counted_from_one(pixels, cameras):
+    rows = [u * P[3] - P[1] for (u, _), P in zip(pixels, cameras, strict=True)]
+    return null_point(np.array(rows))
+
+
+def two_numbers_of_three(pixels, cameras):
+    return null_point(rows_of(pixels, cameras))[:2]

@@ -159,3 +159,15 @@ def mean_of_each_point(pixel1, pixel2, P1, P2):
 def middle_of_the_centres(pixel1, pixel2, P1, P2):
     o1, _, o2, _ = rays(pixel1, pixel2, P1, P2)
     return (o1 + o2) / 2
+
+
+def star_in_the_centre(pixel1, pixel2, P1, P2):
+    _, d1, _, d2 = rays(pixel1, pixel2, P1, P2)
+    o1, o2 = (-np.linalg.inv(P[:, :3]) * P[:, 3] for P in (P1, P2))
+    return sum(triangulation.closest_points_on_rays(o1, d1, o2, d2)) / 2
+
+
+def q_as_a_table(pixel1, pixel2, P1, P2):
+    _, d1, _, d2 = rays(pixel1, pixel2, P1, P2)
+    o1, o2 = (-np.linalg.inv(P[:, :3]) @ P[:, 3:] for P in (P1, P2))
+    return sum(triangulation.closest_points_on_rays(o1, d1, o2, d2)) / 2

@@ -170,3 +170,29 @@ def not_divided_by_the_slope(origin, directions, plane):
 
 def not_divided_without_nan(origin, directions, plane):
     return origin - (plane[:3] @ origin + plane[3]) * directions
+
+
+def star_in_the_slope(origin, directions, plane):
+    lengths = -(plane[:3] @ origin + plane[3]) / (directions * plane[:3])
+    return origin + lengths * directions
+
+
+def star_in_the_origins_place(origin, directions, plane):
+    lengths = -(plane[:3] * origin + plane[3]) / (directions @ plane[:3])
+    return origin + lengths[:, None] * directions
+
+
+def one_nan_for_all(origin, directions, plane):
+    lengths = lengths_to(origin, directions, plane)
+    return np.nan if (lengths < 0).any() else origin + lengths[:, None] * directions
+
+
+def nan_for_negative_numbers(origin, directions, plane):
+    points = origin + lengths_to(origin, directions, plane)[:, None] * directions
+    points[points < 0] = np.nan
+    return points
+
+
+def camera_for_nan(origin, directions, plane):
+    lengths = np.maximum(lengths_to(origin, directions, plane), 0)
+    return origin + lengths[:, None] * directions

@@ -80,7 +80,7 @@ INTERSECT_RAY_PLANE = Exercise(
         Misconception(
             wrong.a_length_for_each_axis,
             "Print the shape of your lengths. Is there one for each ray?",
-            also=[wrong.summed_over_the_rays],
+            also=[wrong.summed_over_the_rays, wrong.star_in_the_slope],
         ),
         Misconception(
             wrong.first_ray_only,
@@ -97,6 +97,16 @@ INTERSECT_RAY_PLANE = Exercise(
         Misconception(
             wrong.nan_for_all_rays,
             "Some of these rays do meet the plane. Why are they NaN as well?",
+            also=[wrong.one_nan_for_all],
+        ),
+        Misconception(
+            wrong.nan_for_negative_numbers,
+            "A place of the world may have negative numbers. What is negative for a ray that goes "
+            "away: its point, or its length?",
+        ),
+        Misconception(
+            wrong.camera_for_nan,
+            "A length of 0 leads to the camera itself. What marks a row that has no answer?",
         ),
         Misconception(
             wrong.lengths_only,
@@ -104,7 +114,9 @@ INTERSECT_RAY_PLANE = Exercise(
         ),
         Misconception(
             wrong.lengths_not_in_a_column,
-            "Each length belongs to one row of directions. Does it stand in a column?",
+            "Print the shapes. Is n times o a single number (`@`), and do your lengths stand in a "
+            "column, so that each belongs to one row of directions?",
+            also=[wrong.star_in_the_origins_place],
         ),
         Misconception(
             wrong.unit_normal_but_old_d,

@@ -37,9 +37,14 @@ TRIANGULATE_LINEAR = Exercise(
             "You subtract from u itself. Which row of P does u multiply?",
         ),
         Misconception(
-            wrong.columns_for_rows,
+            wrong.columns_and_last_number,
             "Your table has three columns. Are p1, p2, p3 rows of P, or its columns?",
-            also=[wrong.columns_and_last_number],
+        ),
+        Misconception(
+            wrong.columns_for_rows,
+            "An index goes too far. Python counts from 0: is p1 then P[0] or P[1]? And are p1, p2, "
+            "p3 rows of P, or columns?",
+            also=[wrong.counted_from_one],
         ),
         Misconception(
             wrong.not_divided,
@@ -54,6 +59,10 @@ TRIANGULATE_LINEAR = Exercise(
             wrong.divided_by_the_third,
             "For a pixel the third number is the divisor. Which one is it for a point of space?",
             also=[wrong.two_numbers],
+        ),
+        Misconception(
+            wrong.two_numbers_of_three,
+            "These are two numbers. How many does `0:2` pick, and how many has a point of space?",
         ),
         Misconception(
             wrong.last_column,

@@ -144,6 +144,12 @@ TRIANGULATE_MIDPOINT = Exercise(
             "matrix by a vector?",
         ),
         Misconception(
+            middle.star_in_the_centre,
+            "Print the shape of your centres: are they three numbers? Which sign multiplies a "
+            "matrix by a vector, and is q cut out as `P[:, 3]`?",
+            also=[middle.q_as_a_table],
+        ),
+        Misconception(
             middle.third_number_zero,
             "A pixel has two numbers and M⁻¹ three columns. Which number do you append?",
         ),
