@@ -12,8 +12,8 @@ SOLVE_NORMAL_BLOCK = Exercise(
     plain.solve_normal_block,
     points=10,
     parts={
-        "one point": Part(inputs.one_point, cases=2, weight=4),
-        "five points": Part(inputs.many_points, cases=2, weight=6),
+        "one point": Part(inputs.one_point, cases=1, weight=4),
+        "five points": Part(inputs.many_points, cases=1, weight=6),
     },
     forbidden=("course_lib.bundle.normals.solve_normal_block",),
     misconceptions=[
