@@ -22,6 +22,12 @@ POINT_COVARIANCE = Exercise(
             "A covariance of lengths is in squared units. Is your sigma a deviation or a variance?",
         ),
         Misconception(
+            wrong.sigma_counted_twice,
+            "Each row of J stands for one measured number already, a u or a v. What does your 2 "
+            "count?",
+            also=[wrong.twice_sigma_squared],
+        ),
+        Misconception(
             wrong.sigma_left_out,
             "Suppose the pixels were measured twice as badly. Does your answer notice?",
         ),
@@ -68,16 +74,14 @@ POINT_COVARIANCE = Exercise(
             also=[wrong.divided_by_cameras, wrong.divided_by_freedom],
         ),
         Misconception(
-            wrong.last_camera_only,
-            "One picture cannot tell the depth. Are the rows of every camera in your J?",
-        ),
-        Misconception(
             wrong.equations_of_u,
             "How many rows has your J? Does each picture not measure u and v?",
         ),
         Misconception(
             wrong.last_column_left_out,
-            "Where is the point (0, 0, 0) in your pictures: does the last column of P take part?",
+            "Your JᵀJ has no inverse, whatever comes out. Has J the rows of every camera, and "
+            "three columns? Does the last column of P take part in x, y and w?",
+            also=[wrong.four_columns, wrong.last_camera_only],
         ),
         Misconception(
             wrong.first_row_for_v,
@@ -110,10 +114,6 @@ POINT_COVARIANCE = Exercise(
         Misconception(
             wrong.same_pixel_in_both_rows,
             "The first row belongs to u. Which pixel coordinate belongs to the second row?",
-        ),
-        Misconception(
-            wrong.four_columns,
-            "How many columns has your J, and how many numbers of the point can change?",
         ),
     ],
 )

@@ -168,3 +168,11 @@ def four_columns(point, cameras, sigma):
         a = P @ np.append(point, 1)
         rows.extend((P[:2] - (a[:2] / a[2])[:, None] * P[2]) / a[2])
     return sigma**2 * inverted(np.array(rows))
+
+
+def sigma_counted_twice(point, cameras, sigma):
+    return 2 * sigma**2 * inverted(derivatives(point, cameras))
+
+
+def twice_sigma_squared(point, cameras, sigma):
+    return (2 * sigma) ** 2 * inverted(derivatives(point, cameras))

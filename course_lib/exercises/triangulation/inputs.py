@@ -127,8 +127,10 @@ def guess_from_four(rng: Generator) -> Inputs:
 
 
 def uncertain(rng: Generator, count: int) -> Inputs:
+    """Draw a point in mm, that variances are no tiny numbers, and cameras that see it."""
     X, cameras = cameras_around(rng, count)
-    return {"point": X, "cameras": cameras, "sigma": round(rng.uniform(0.2, 0.6), 2)}
+    cameras[:, :, 3] *= 1000
+    return {"point": 1000 * X, "cameras": cameras, "sigma": round(rng.uniform(0.2, 0.6), 2)}
 
 
 def uncertain_from_two(rng: Generator) -> Inputs:
@@ -222,9 +224,18 @@ def rays_and_plane(rng: Generator, towards: Floats, side: float) -> Known:
     return Known(inputs, np.where(towards[:, None] > 0, points, np.nan))
 
 
+def of_both_signs(rng: Generator, towards: Floats, side: float) -> Known:
+    """Draw rays that meet a plane in points of which some have negative numbers, and some not."""
+    while True:
+        drawn = rays_and_plane(rng, towards, side)
+        met = drawn.truth[towards > 0]
+        if (met < 0).any() and (met > 0).any():
+            return drawn
+
+
 def light_before_the_camera(rng: Generator) -> Known:
-    return rays_and_plane(rng, np.ones(5), 1)
+    return of_both_signs(rng, np.ones(5), 1)
 
 
 def some_rays_go_away(rng: Generator) -> Known:
-    return rays_and_plane(rng, rng.permutation([1.0, 1, 1, -1, -1, 1]), -1)
+    return of_both_signs(rng, rng.permutation([1.0, 1, 1, -1, -1, 1]), -1)

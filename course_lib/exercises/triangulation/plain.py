@@ -255,7 +255,7 @@ def point_covariance(point, cameras, sigma):
     Parameters
     ----------
     point : ndarray, shape (3,)
-        The point ``(X, Y, Z)``, in front of all cameras.
+        The point ``(X, Y, Z)``, in front of all cameras, in any unit of length.
     cameras : ndarray, shape (V, 3, 4)
         Matrices of V ≥ 2 cameras.
     sigma : float
@@ -264,8 +264,9 @@ def point_covariance(point, cameras, sigma):
     Returns
     -------
     ndarray, shape (3, 3)
-        Covariance of X, Y and Z. J has two rows for each camera, as in `refine_point`: the
-        derivatives ``(m1 - u m3)/w`` and ``(m2 - v m3)/w`` of the pixel that shows the point.
+        Covariance of X, Y and Z, in the square of that unit. J has two rows for each camera, as in
+        `refine_point`: the derivatives ``(m1 - u m3)/w`` and ``(m2 - v m3)/w`` of the pixel that
+        shows the point.
 
     Examples
     --------
