@@ -64,15 +64,6 @@ def wide(photographs):
     return draw.opencv_corners(photographs, 11)
 
 
-def opencv(pixels):
-    import cv2
-
-    rows = [view.astype(np.float32).reshape(-1, 1, 2) for view in pixels]
-    boards = [POINTS.astype(np.float32)] * len(rows)
-    rms, K, k, *_ = cv2.calibrateCamera(boards, rows, SIZE, None, None)
-    return rms, K, k.ravel()
-
-
 # What needs no photograph
 
 
@@ -83,6 +74,8 @@ def test_points_of_all_exercises():
 def test_the_data_sheet_of_chapter_01():
     assert about(1.09, 2) == 6890.5 / 6307.2
     says("$f = 6307$ px", "6890 px, 9 % more")
+    assert about(0.085, 3) == 1 - 6307 / 6890
+    says("$6307/6890$ of the true one, 8.5 % too short")
 
 
 def test_bad_boards():
@@ -119,9 +112,12 @@ def test_the_window_of_the_search():
 
 
 def test_worked_lines_are_what_the_exercises_return():
-    rows = plain.homography_constraints(np.array([[2, 0, 5], [0, 3, 7], [0, 0, 1]]))
-    assert rows.tolist() == [[0, 6, 0, 0, 0, 0], [4, 0, -9, 0, 0, 0]]
-    says("(0, 6, 0, 0, 0, 0)", "(4, 0, -9, 0, 0, 0)", "(0, 0, 9, 0, 0, 0)")
+    rows = plain.homography_constraints(np.array([[1, 4, 7], [2, 0, 6], [3, 5, 1]]))
+    assert rows.tolist() == [[4, 8, 0, 17, 10, 15], [-15, 4, 4, -34, 12, -16]]
+    says("(4, 8, 0, 17, 10, 15)", "(-15, 4, 4, -34, 12, -16)")
+    squares = np.subtract((1, 4, 4, 6, 12, 9), (16, 0, 0, 40, 0, 25))
+    assert squares.tolist() == rows[1].tolist()
+    says("(1, 4, 4, 6, 12, 9)", "(16, 0, 0, 40, 0, 25)")
     K = np.array([[2, 0, 3], [0, 2, 1], [0, 0, 1]])
     B = np.linalg.inv(K).T @ np.linalg.inv(K)
     assert B.tolist() == [[0.25, 0, -0.75], [0, 0.25, -0.25], [-0.75, -0.25, 3.5]]
@@ -147,7 +143,11 @@ def test_worked_lines_are_what_the_exercises_return():
 
 def test_the_zeros_of_the_chosen_camera():
     K = np.array([[800, 0, 320], [0, 800, 240], [0, 0, 1.0]])
-    rows = plain.homography_constraints(K @ np.array([[1, 0, 2], [0, 0.8, 1], [0, 0.6, 10]]))
+    H = K @ np.array([[1, 0, 2], [0, 0.8, 1], [0, 0.6, 10]])
+    np.testing.assert_allclose(H, [[800, 192, 4800], [0, 784, 3200], [0, 0.6, 10]])
+    np.testing.assert_allclose(H @ [1, 0, 1], [5600, 3200, 10])
+    says("800 & 192 & 4800\\\\ 0 & 784 & 3200\\\\ 0 & 0.6 & 10", "(5600, 3200, 10)", "(560, 320)")
+    rows = plain.homography_constraints(H)
     B = np.linalg.inv(K).T @ np.linalg.inv(K)
     np.testing.assert_allclose(rows @ B[[0, 0, 1, 0, 1, 2], [0, 1, 1, 2, 2, 2]], 0, atol=1e-9)
 
@@ -190,7 +190,7 @@ def test_dots():
         )
     assert cal.rms_error(np.vstack(off)) == about(0.18, 2)
     assert bad.DOTS.diameter == 18
-    says("by 0.18 px for dots of 18 mm", "$f$ off by 0.437 px, 7.6 times its")
+    says("by 0.18 px for dots of 18 mm", "dots | $f$ off by 0.437 px, 7.6 times its")
 
 
 def test_focus_and_warmth():
@@ -203,12 +203,34 @@ def test_focus_and_warmth():
     says("23 millionths a degree", "30 mm by 7 µm in 10 degrees")
 
 
+def test_computed_photographs_do_what_the_text_says_of_them():
+    photographs = draw.computed_photographs()
+    fitted = [detect_board(picture, draw.BOARD).points for picture in photographs]
+    fx = [
+        draw.opencv_calibration(views)[1][0, 0]
+        for views in (fitted, draw.opencv_corners(photographs, 5))
+    ]
+    assert fx == [about(533.99, 2), about(533.89, 2)]
+    assert made.K[0, 0] == 534
+    says("where $f_x = 534$ px is known, the fit finds 533.99 px and the window of 5 px 533.89 px")
+    wide = draw.opencv_corners(photographs, 11)
+    spoilt = cal.calibrate(POINTS, wide, SIZE)
+    assert np.flatnonzero(~cal.reject_views(spoilt.residuals, 2.0)).tolist() == [4]
+    moved = np.linalg.norm(np.subtract(wide, fitted), axis=2)
+    assert np.flatnonzero(moved.max(axis=1) > 0.5).tolist() == [4]
+    K, poses_ = draw.closed_form(fitted)
+    k1, _ = cal.initial_distortion(draw.without_lens(K, poses_), np.vstack(fitted), K)
+    assert k1 < 0
+    says("view 4 that corners slip (sections 2 and 9), and section 6 finds the right sign")
+
+
 # The photographs
 
 
 def test_corners_by_three_ways(photographs, pixels, wide):
     by_eleven, by_five, by_fit = (
-        opencv(views) for views in (wide, draw.opencv_corners(photographs, 5), pixels)
+        draw.opencv_calibration(views)
+        for views in (wide, draw.opencv_corners(photographs, 5), pixels)
     )
     fx = [K[0, 0] for _, K, _ in (by_eleven, by_five, by_fit)]
     assert fx == [about(536.07, 2), about(532.83, 2), about(533.54, 2)]
@@ -223,7 +245,11 @@ def test_corners_by_three_ways(photographs, pixels, wide):
     slip = np.linalg.norm(wide[1] - pixels[1], axis=1)
     assert slip.argmax() == 45
     assert slip.max() == about(6.4, 1)
-    says("The squares are 22 px and more", "number=45")
+    moved = np.linalg.norm(np.subtract(wide, pixels), axis=2)
+    assert np.unravel_index(moved.argmax(), moved.shape) == (1, 45)
+    says("The squares are 22 px and more", "RMS 0.159 px against 0.195 px")
+    assert fx[0] - fx[2] == about(2.5, 1)
+    says("large window | $f$ off by 2.5 px")
 
 
 def test_one_picture(pixels):
@@ -255,10 +281,9 @@ def test_the_closed_form(pixels, best):
     says("$f$ is good to about 1 %, $c$ to 10 px")
     says("Three pictures say $f_x = 497$ px, thirteen say 539", "533.5", "$-2$ comes out")
     K, poses_ = draw.closed_form(pixels)
-    depths = [t[2] for _, t in poses_]
-    assert min(depths) >= 330
-    assert max(depths) <= 505
-    says("33 to 50 cm before the camera")
+    depths = [t[2] / 10 for _, t in poses_]
+    assert (min(depths), max(depths)) == (about(35, 0), about(50, 0))
+    says("the first corner is 35 to 50 cm before the camera")
     seen = np.vstack(pixels)
     first = cal.initial_distortion(draw.without_lens(K, poses_), seen, K)
     good = cal.initial_distortion(draw.without_lens(best.K, best.poses), seen, best.K)
@@ -278,6 +303,10 @@ def test_the_refinement(pixels):
         history.append(cal.rms_error(residuals.reshape(-1, 2)))
         numbers = cal.refine_calibration(numbers, residuals, J, 10.0 ** (-3 - step))
     assert J.shape == (1404, 84)
+    assert np.mean(J == 0) == about(0.88, 2)
+    says("Most of them are zero, 88 %")
+    assert draw.in_turns(pixels, 1) == [about(2.75, 2)]
+    says("It begins at 2.75 px, not 2.9 px")
     assert history[0] == about(2.9, 1)
     assert history[1] > 0.2 > history[2]
     np.testing.assert_allclose(history[4:], 0.1674, atol=5e-5)
@@ -289,7 +318,7 @@ def test_the_refinement(pixels):
 
 
 def test_the_same_minimum_as_opencv(pixels, best):
-    rms, K, k = opencv(pixels)
+    rms, K, k = draw.opencv_calibration(pixels)
     assert best.rms == pytest.approx(rms, abs=1e-6)
     np.testing.assert_allclose(best.K, K, atol=1e-3)
     np.testing.assert_allclose(best.coefficients, k, atol=1e-4)
@@ -303,7 +332,8 @@ def test_zhangs_published_numbers():
     (fx, s, cx), (_, fy, cy), _ = found.K
     assert (fx, fy) == (about(832.5, 1), about(832.53, 2))
     assert (s, found.sigma["s"]) == (about(0.204499, 6), about(0.08, 2))
-    says("Only the skew comes out as 0.204499", "its $\\sigma$ is 0.08")
+    assert found.coefficients[1] == about(0.190354, 6)
+    says("of $k_2$ (0.190354) and of the skew (0.204499)", "0.08 for the skew")
     assert (cx, cy) == (pytest.approx(303.959, abs=1e-3), pytest.approx(206.585, abs=1e-3))
     assert found.coefficients[:2].tolist() == [
         pytest.approx(-0.228601, abs=1.5e-6),
@@ -333,6 +363,9 @@ def test_views_that_do_not_fit(wide, pixels):
 def test_standard_deviations(best, pixels):
     assert (best.K[0, 0], best.sigma["fx"]) == (about(533.54, 2), about(0.36, 2))
     assert best.sigma["fx"] / best.K[0, 0] == about(0.0007, 4)
+    says("533.5 px, ± 0.4 px by chance alone")
+    assert (best.coefficients[4], best.sigma["k3"]) == (about(0.148, 3), about(0.073, 3))
+    says("$k_3 = 0.148 \\pm 0.073$", "two $\\sigma$ from zero")
     says("$f_x = 533.54 \\pm 0.36$ px, so 0.07 %", "0.7 mm at 1 m")
     assert (536.07 - 532.83) / best.sigma["fx"] == about(9, 0)
     residuals, J = cal.residuals_and_jacobian(best, POINTS, pixels)
@@ -391,7 +424,11 @@ def test_models_on_pictures_held_out(pixels):
     assert (np.diff(own) < 0).all()
     assert min(others) > 0.998 * found[4][1]
     assert found[12][1] > 1.02 * found[4][1]
-    says("four are enough, and twelve are worse")
+    assert (own[0], own[-1]) == (about(0.186, 3), about(0.158, 3))
+    assert others[0] == about(0.194, 3)
+    assert (found[4][1], found[12][1]) == (about(0.163, 3), about(0.168, 3))
+    says("from 0.186 px to 0.158 px", "from 0.194 px to 0.163 px", "with twelve it is 0.168 px")
+    assert list(found) == [1, 2, 4, 5, 8, 12]
 
 
 def test_what_the_rms_does_not_show(best, pixels):

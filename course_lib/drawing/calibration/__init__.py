@@ -27,9 +27,9 @@ from course_lib.drawing.calibration.space import board_poses, vanishing_columns
 from course_lib.drawing.calibration.stepping import (
     closed_form,
     in_turns,
+    opencv_calibration,
     packed,
     residuals_and_derivatives,
-    unpacked,
     without_lens,
 )
 from course_lib.drawing.calibration.targets import flatness, targets, tilted_views, with_dots
@@ -48,6 +48,7 @@ __all__ = [
     "held_out_models",
     "in_turns",
     "left_photographs",
+    "opencv_calibration",
     "opencv_corners",
     "over_the_picture",
     "packed",
@@ -59,7 +60,6 @@ __all__ = [
     "steps_down",
     "targets",
     "tilted_views",
-    "unpacked",
     "vanishing_columns",
     "views_grow",
     "views_one_by_one",

@@ -14,7 +14,7 @@ from course_lib.calibration import (
     reprojection_residuals,
 )
 from course_lib.distortion import undistort_pixels
-from course_lib.drawing.calibration.photographs import BOARD
+from course_lib.drawing.calibration.photographs import BOARD, SIZE
 from course_lib.drawing.diagrams import Floats
 from course_lib.homography import homography_dlt
 from course_lib.transforms import rotation_from_vector, vector_from_rotation
@@ -102,6 +102,31 @@ def closed_form(pixels: Sequence[ArrayLike]) -> tuple[Floats, list[Pose]]:
     K = intrinsics_from_homographies(Hs)
     K[0, 1] = 0
     return K, [pose_from_homography(K, H) for H in Hs]
+
+
+def opencv_calibration(pixels: Sequence[ArrayLike]) -> tuple[float, Floats, Floats]:
+    """Return what OpenCV's ``calibrateCamera`` makes of the same corners.
+
+    Parameters
+    ----------
+    pixels : sequence of array_like, shape (54, 2)
+        Corners of each view.
+
+    Returns
+    -------
+    rms : float
+        Over points, px.
+    K : ndarray, shape (3, 3)
+        Intrinsics, px.
+    k : ndarray, shape (5,)
+        ``k1 k2 p1 p2 k3``.
+    """
+    import cv2
+
+    seen = [np.asarray(view, np.float32).reshape(-1, 1, 2) for view in pixels]
+    boards = [BOARD.points().astype(np.float32)] * len(seen)
+    rms, K, k, *_ = cv2.calibrateCamera(boards, seen, SIZE, None, None)
+    return float(rms), np.asarray(K, float), np.asarray(k, float).ravel()
 
 
 def without_lens(K: ArrayLike, poses: Sequence[Pose]) -> Floats:

@@ -61,15 +61,16 @@ def homography_constraints(H):
 
     Examples
     --------
-    >>> homography_constraints(np.array([[2, 0, 5], [0, 3, 7], [0, 0, 1]]))
-    array([[ 0,  6,  0,  0,  0,  0],
-           [ 4,  0, -9,  0,  0,  0]])
+    >>> homography_constraints(np.array([[1, 4, 7], [2, 0, 6], [3, 5, 1]]))
+    array([[  4,   8,   0,  17,  10,  15],
+           [-15,   4,   4, -34,  12, -16]])
     """
-    (a, b, c), (d, e, f) = H[:, 0], H[:, 1]
-    v12 = np.array([a * d, a * e + b * d, b * e, a * f + c * d, b * f + c * e, c * f])
-    v11 = np.array([a * a, 2 * a * b, b * b, 2 * a * c, 2 * b * c, c * c])
-    v22 = np.array([d * d, 2 * d * e, e * e, 2 * d * f, 2 * e * f, f * f])
-    return np.array([v12, v11 - v22])
+
+    (g1, g2, g3), (q1, q2, q3) = H[:, 0], H[:, 1]
+    v12 = [g1 * q1, g1 * q2 + g2 * q1, g2 * q2, g1 * q3 + g3 * q1, g2 * q3 + g3 * q2, g3 * q3]
+    v11 = [g1 * g1, 2 * g1 * g2, g2 * g2, 2 * g1 * g3, 2 * g2 * g3, g3 * g3]
+    v22 = [q1 * q1, 2 * q1 * q2, q2 * q2, 2 * q1 * q3, 2 * q2 * q3, q3 * q3]
+    return np.array([v12, np.subtract(v11, v22)])
 
 
 def intrinsics_from_homographies(Hs):
@@ -98,8 +99,8 @@ def intrinsics_from_homographies(Hs):
            [  0., 800., 240.],
            [  0.,   0.,   1.]])
     """
-    V = np.vstack([calibration.homography_constraints(H) for H in Hs])
-    b11, b12, b22, b13, b23, b33 = np.linalg.svd(V)[2][-1]
+    A = np.vstack([calibration.homography_constraints(H) for H in Hs])
+    b11, b12, b22, b13, b23, b33 = np.linalg.svd(A)[2][-1]
     B = np.array([[b11, b12, b13], [b12, b22, b23], [b13, b23, b33]])
     if b11 < 0:  # the scale of b is free, and so is its sign
         B = -B
