@@ -86,7 +86,7 @@ def test_bad_boards():
     assert bent.rms / boards["as it should be"][1].rms == about(2, 0)
     assert (long.K[1, 1] - 558) / 558 == about(-0.01, 2)
     assert (boards["as it should be"][1].rms, long.rms) == (about(0.14, 2), about(0.20, 2))
-    says("it costs 1 % of *one* focal length, and the RMS grows from 0.14 px to only 0.20 px")
+    says("it costs 1 % of *one* focal length, and the RMS", "grows from 0.14 px to only 0.20 px")
     assert np.ptp(POINTS[:, 0]) == 240
     says("a bend of 1 mm over 24 cm")
     exact = bad.with_bad_board(1.01 * POINTS, noise=0)
@@ -228,10 +228,8 @@ def test_computed_photographs_do_what_the_text_says_of_them():
 
 
 def test_corners_by_three_ways(photographs, pixels, wide):
-    by_eleven, by_five, by_fit = (
-        draw.opencv_calibration(views)
-        for views in (wide, draw.opencv_corners(photographs, 5), pixels)
-    )
+    ways = (wide, draw.opencv_corners(photographs, 5), pixels)
+    by_eleven, by_five, by_fit = map(draw.opencv_calibration, ways)
     fx = [K[0, 0] for _, K, _ in (by_eleven, by_five, by_fit)]
     assert fx == [about(536.07, 2), about(532.83, 2), about(533.54, 2)]
     assert [found[0] for found in (by_eleven, by_five, by_fit)] == [
@@ -266,7 +264,7 @@ def test_one_picture(pixels):
     f = sorted(np.sqrt(square) for view, square in squares.items() if square > 0 and view != 7)
     assert (np.sqrt(squares[7]), f[0], f[-1]) == (about(548, 0), about(509, 0), about(877, 0))
     assert about(300_700, -2) == 433 * 1863 - 1552 * 326
-    says("$(433, -1552)$ and $(-1863, -326)$ px", "\\sqrt{300\\,700} = 548 \\text{ px}")
+    says("$(433, -1552, f)$ and $(-1863, -326, f)$", "\\sqrt{300\\,700} = 548 \\text{ px}")
     says("509 to 877 px, and for views 4 and 6")
 
 
