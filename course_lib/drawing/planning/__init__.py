@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from course_lib.drawing.planning.choosing import compared, limits, room_for_aperture, verdicts
+from course_lib.drawing.planning.choosing import (
+    compared,
+    limits,
+    panel_task,
+    room_for_aperture,
+    verdicts,
+)
 from course_lib.drawing.planning.flying import flight_map, hidden, overlaps, smallest_object
 from course_lib.drawing.planning.panel import BOX, TASK, pair, stand
 from course_lib.drawing.planning.rig import box_in_picture, chosen, failures, rig
@@ -26,6 +32,7 @@ __all__ = [
     "limits",
     "overlaps",
     "pair",
+    "panel_task",
     "rig",
     "room_for_aperture",
     "smallest_object",

@@ -155,3 +155,29 @@ def room_for_aperture() -> Figure:
     ax.set(xlabel="turn of each camera (°)", ylabel="f-number (no unit)")
     ax.set(xlim=(1, 30), ylim=(0, 17))
     return fig
+
+
+def panel_task() -> tuple[dict[str, float], list[dict[str, float]], list[dict[str, float]]]:
+    """Return the task of the panel for one camera straight ahead, and a small catalogue.
+
+    Returns
+    -------
+    task : dict
+        Its demands, in m, s and px.
+    cameras, lenses : list of dict
+        Figures of two cameras and of two lenses.
+    """
+    width, depth, height = BOX.size.tolist()
+    task = {"width": width, "height": height, "depth": depth, "stand_off": 1.0}
+    for name in ("motion", "speed", "resolution", "blur_px", "frame_rate", "exposure_at_f1"):
+        task[name] = float(getattr(TASK, name))
+    bodies = [read_cameras()[name] for name in ("mvBlueFOX3-2051", PHANTOM)]
+    glasses = [read_lenses()[name] for name in ("Nikkor AF-S 50 mm f/1.8G", ZEISS)]
+    cameras = [
+        {"width": b.image_size[0], "height": b.image_size[1]}
+        | {"pitch_um": b.pitch_um, "frame_rate": b.frame_rate}
+        for b in bodies
+    ]
+    names = ("f_mm", "N_least", "N_most", "closest")
+    lenses = [{name: getattr(lens, name) for name in names} for lens in glasses]
+    return task, cameras, lenses
