@@ -79,10 +79,26 @@ class TestSharesAgreeWithTheLibrary:
 
 
 def test_any_set_up_that_meets_the_demands_earns_all_points():
-    """Not only the one with the widest aperture and the longest exposure."""
+    """Not only the nearest, with the widest aperture and the longest exposure."""
+    inputs = posed("dark")
+    for farther, wider, shorter in itertools.product((1, 1.03), (1.02, 1.1), (0.8, 0.98)):
+        plan = plan_setup(**inputs)
+        plan["distance"] *= farther
+        plan["N"] *= wider
+        plan["exposure_time"] *= shorter
+        assert all(demands.judge_demand(d, plan, inputs) is None for d in PLAN_SETUP.parts)
     for seed in range(10):
         change = with_settings(N=1.05, exposure_time=0.95)
         assert verdict(change, seed).points == PLAN_SETUP.points, seed
+
+
+def test_there_is_room_for_a_reserve():
+    def with_reserve(task, cameras, lenses):
+        larger = {key: 1.05 * task[key] for key in ("width", "height", "motion")}
+        return typed(task | larger, cameras, lenses)
+
+    for seed in range(20):
+        assert verdict(with_reserve, seed).points == PLAN_SETUP.points, seed
 
 
 def test_order_and_type_of_what_is_returned_do_not_matter():

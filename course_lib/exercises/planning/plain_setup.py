@@ -22,7 +22,7 @@ def plan_setup(task, cameras, lenses):
     - light: `exposure_time` is at least ``N² · exposure_at_f1``.
 
     Each demand earns its own points, but nothing is earned where one is missed ten times over.
-    The tasks leave little to spare: 1 % of reserve in the picture is possible, 5 % may not be.
+    The tasks leave some room: the camera may stand 5 % farther off than it must.
 
     Parameters
     ----------

@@ -144,7 +144,7 @@ PLAN_SETUP = Exercise(
         ),
         Misconception(
             wrong.only_the_middle,
-            "You compute with the middle of the box. Which of its faces is nearer, and which is farther?",
+            "You compute with the middle of the box. Which face of it is nearer, which is farther?",
             explains=met_if(task_without("depth")),
         ),
         Misconception(
@@ -189,21 +189,26 @@ EXPLAIN_TWICE_AS_HIGH = Explain(
     "planning",
     "explain_twice_as_high",
     rubric=[
-        (1, "Says that the ground sampling distance doubles, and so does the smallest object."),
-        (1, "Says that the footprint doubles, so that base and distance may double."),
-        (1, "Says that about a quarter of the pictures is left, and why not exactly a quarter."),
-        (1, "Names another change with its reason: speed and smear, or hidden ground, or relief."),
+        (1, "Says that the ground sampling distance doubles, and so does what can be recognised."),
+        (
+            1,
+            "Says that footprint and base double; about a quarter of the pictures is enough.",
+        ),
+        (
+            1,
+            "Says that the smear halves, in pixels, and that heights are half as precise.",
+        ),
+        (1, "Judges: it is faster, but right only if the coarser survey still meets the demands."),
     ],
     model_answer=(
-        "Twice as high, a pixel covers twice as much: the ground sampling distance doubles, and "
-        "the smallest object that can be told is twice as large. The footprint is twice as long "
-        "and as wide. With the same overlaps, the pictures are taken twice as far apart, and so "
-        "are the strips. Half as many pictures in a strip and half as many strips make a quarter "
-        "of the pictures; a few more, because of the one added at the end of each strip and the "
-        "one strip more, which do not halve. The camera may fly twice as fast, both for the "
-        "interval and for the smear, which is measured in larger pixels. A pit or a building "
-        "takes a smaller share of the height above ground, so that the overlap varies less; how "
-        "much a wall hides depends on the angle at which it is seen, which stays the same at the "
-        "edge of the picture."
+        "Twice as high, a pixel covers twice as much: the ground sampling distance doubles, from 2 "
+        "to 4 cm, and so does the smallest object that can be recognised. The footprint is twice "
+        "as long and twice as wide. With the same overlaps, the base and the distance of the lines "
+        "double too, so about a quarter of the pictures is enough; a few more, because of the one "
+        "that is added in each line and the one more line. At the same speed the smear is half as "
+        "many pixels, and the drone may fly twice as fast. Base and height keep their ratio, so an "
+        "error of a tenth of a pixel makes an error in height that is twice as large. The owner is "
+        "right that it is faster, but only if the volume and the smallest object that are asked "
+        "for can do with half the precision."
     ),
 )

@@ -6,7 +6,7 @@ from typing import Any
 
 from numpy.random import Generator
 
-from course_lib.exercises.planning.demands import WAVELENGTH_UM, window
+from course_lib.exercises.planning.setup_misconceptions import search
 
 Inputs = dict[str, Any]
 FOCAL_LENGTHS = (12, 16, 25, 35, 50, 75)
@@ -35,12 +35,12 @@ def box(rng: Generator, right: Inputs, f_mm: float, near: float, blur_px: float)
     N = rng.uniform(0.52, 0.62) * blur_px * p / (2.44 * 0.55e-6)
     depth = round(2 * blur_px * p * near**2 * N / f**2, 3)
     size = {"width": round(across - 2 * motion, 3), "height": round(0.8 * upright - 2 * motion, 3)}
-    resolution = three_digits(1.02 * (near + depth) * p / f)
+    resolution = three_digits(1.1 * (near + depth) * p / f)
     return {**size, "depth": depth, "motion": motion, "resolution": resolution}
 
 
 def setup(rng: Generator, slow: bool, light: float, stand_off: float, last: int = 2) -> Inputs:
-    """Choose the light as a share of what there may be, and where the right camera stands."""
+    """Choose the light as a share of what a set-up needs, and how far the camera stands off."""
     right, blur_px = camera(rng), float(rng.choice([1.5, 2, 2.5]))
     middle = int(rng.integers(1, 5))
     f_mm = FOCAL_LENGTHS[middle]
@@ -49,16 +49,16 @@ def setup(rng: Generator, slow: bool, light: float, stand_off: float, last: int 
     rate = round(right["frame_rate"] * rng.uniform(0.5, 0.8))
     longest = rng.uniform(1.5, 3) / rate if slow else 1 / rate / rng.uniform(2.5, 5)
     speed = three_digits(blur_px * right["pitch_um"] / 1e3 * near / f_mm / longest)
-    spot, far = blur_px * right["pitch_um"], near + task["depth"]
-    N, _ = window(f_mm, near, far, spot, WAVELENGTH_UM)
     task |= {"speed": speed, "blur_px": blur_px, "frame_rate": float(rate)}
-    task |= {"stand_off": three_digits(stand_off * near)}
-    task |= {"exposure_at_f1": three_digits(light * min(longest, 1 / rate) / N**2)}
+    task |= {"stand_off": three_digits(stand_off * near), "exposure_at_f1": 0.0}
     coarse = right | {"width": right["width"] // 2, "height": right["height"] // 2}
     late = right | {"frame_rate": float(round(rate * rng.uniform(0.5, 0.8)))}
     wrong = [coarse, late] if rng.integers(2) else [late, coarse]
     lenses = [lens(f) for f in FOCAL_LENGTHS[middle - 1 : middle + 2]]
-    return {"task": task, "cameras": [*wrong[:last], right, *wrong[last:]], "lenses": lenses}
+    posed = {"task": task, "cameras": [*wrong[:last], right, *wrong[last:]], "lenses": lenses}
+    plan = search(**posed)
+    task["exposure_at_f1"] = three_digits(light * plan["exposure_time"] / plan["N"] ** 2)
+    return posed
 
 
 def dark(rng: Generator) -> Inputs:
