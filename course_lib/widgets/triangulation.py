@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from course_lib.drawing.explorers.bench import bench_frame
-from course_lib.drawing.explorers.disparity import REACH, disparity_frame
+from course_lib.drawing.explorers.disparity import FREE, PLACES, REACH, disparity_frame
 from course_lib.drawing.triangulation.pair import SIZE
-from course_lib.widgets.controls import Slider, Switch
+from course_lib.widgets.controls import Choice, Slider, Switch
 from course_lib.widgets.explorer import Explorer
 
 
@@ -31,6 +31,7 @@ def disparity_explorer() -> Explorer:
     return Explorer(
         "Disparity of a real pair",
         [
+            Choice("place", "Go to", (*PLACES, FREE), FREE),
             Slider("u", "Column", "u", "px", edge, SIZE[0] - 1 - edge, 97),
             Slider("v", "Row", "v", "px", edge, SIZE[1] - 1 - edge, 208),
             Slider("reach", "Window, to each side", "", "px", 1, REACH, 4),

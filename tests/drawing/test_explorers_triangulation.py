@@ -165,7 +165,8 @@ def test_the_frame_says_what_it_draws():
     np.testing.assert_allclose(middle, [275 - value(frame, "Disparity"), 110], atol=0.06)
     np.testing.assert_allclose(np.ptp(box, axis=0), 9 * scale)
     (spot,) = by_role(curve, "camera")
-    at = disparity.AXES.at(value(frame, "Disparity"), 0)[0]
+    axes = disparity.curve_axes(disparity.search(275, 110, 4))
+    at = axes.at(value(frame, "Disparity"), 0)[0]
     assert spot[:, 0].mean() == pytest.approx(at, abs=0.4)
     depth, sigma = next(r.value for r in frame.readouts if r.label == "Depth").split(" ± ")
     expected = tri.depth_from_disparity(
@@ -205,3 +206,29 @@ def test_a_dragged_window_goes_where_the_pointer_is():
     moved = dragged(handle, target)
     after = disparity.disparity_frame(round(moved["u"]), round(moved["v"]), 4).pictures[0]
     np.testing.assert_allclose(after.handles[0].at, target, atol=disparity.SCALE)
+
+
+@pytest.mark.parametrize(("u", "v", "reach"), [(97, 208, 4), (260, 70, 4), (260, 70, 1)])
+def test_the_curve_fills_its_axes_and_is_never_cut(u, v, reach):
+    found = disparity.search(u, v, reach)
+    frame = disparity.disparity_frame(u, v, reach)
+    (curve,) = by_role(frame.pictures[2], "ink")
+    assert np.isfinite(curve).all()
+    *_, top, bottom = disparity.CURVE_BOX
+    assert (bottom - curve[:, 1].min()) / (bottom - top) > 0.45
+    ticks = [float(x.text) for x in frame.pictures[2].labels if x.text.replace(".", "").isdigit()]
+    assert max(ticks[8:]) >= found.differences.max()
+
+
+@pytest.mark.parametrize("place", disparity.PLACES)
+def test_a_place_is_gone_to_by_name_and_the_sliders_follow(place):
+    u, v = disparity.PLACES[place]
+    named, set_by_hand = (
+        disparity.disparity_frame(*at, 4, p)
+        for at, p in (((300, 300), place), ((u, v), "anywhere"))
+    )
+    assert named.readouts == set_by_hand.readouts
+    assert named.follows == {"u": u, "v": v}
+    assert not set_by_hand.follows
+    assert not named.pictures[0].handles
+    assert len(set_by_hand.pictures[0].handles) == 1

@@ -55,7 +55,7 @@ def bench_frame(b: float, Z: float, X: float, turn_deg: float, sigma: float, thi
     if len(used) < 2:
         words = f"Only {len(used)} camera sees the point" if used else "No camera sees the point"
         plan = _plan(cameras, seeing, point, None)
-        return Frame((plan, _nothing(f"{words}: turn the cameras, or move it.")), (one_ray,))
+        return Frame((plan, _nothing(f"{words}: two have to see it.")), (one_ray,))
     P = np.stack([camera.P for camera in used])
     C = 1e6 * point_covariance(point, P, sigma)
     off = 1000 * (answers(point, P, sigma) - point)

@@ -27,7 +27,12 @@ TILE = 190  # px of a window that is enlarged
 TILES, TOP = (20, 238), 32  # where they begin, px
 #: Another disparity fits nearly as well if its difference is at most so many times the smallest.
 ALIKE = 1.15
-AXES = Plot((44, 436, 32, 196), (0, FARTHEST), (0, 100))
+#: Where the curve is drawn, px, and heights of its axis, grey levels: the first that holds it.
+CURVE_BOX = (44, 436, 44, 184)
+HEIGHTS = (5, 10, 20, 30, 50, 75, 100, 150, 200, 300)
+#: Pixels of the left picture to which the explorer goes by name; the last name leaves it free.
+PLACES = {"rear lamp": (97, 208), "red box": (570, 220), "white door": (260, 70)}
+FREE = "anywhere"
 
 
 class Match(NamedTuple):
@@ -48,7 +53,7 @@ class Match(NamedTuple):
     best: int
 
 
-def disparity_frame(u: float, v: float, reach: float) -> Frame:
+def disparity_frame(u: float, v: float, reach: float, place: str = FREE) -> Frame:
     """Return where a window of the left picture is found in the right one.
 
     Parameters
@@ -57,13 +62,16 @@ def disparity_frame(u: float, v: float, reach: float) -> Frame:
         Its middle in the left picture, px.
     reach : float
         How far it reaches to each side, px.
+    place : str
+        A key of `PLACES`, which is taken instead of `u` and `v`, or `FREE`.
 
     Returns
     -------
     Frame
         Both pictures, the difference along the row, the windows enlarged, disparity and depth.
     """
-    column, row, h = int(u), int(v), int(reach)
+    fixed = PLACES.get(place)
+    (column, row), h = fixed or (int(u), int(v)), int(reach)
     found = search(column, row, h)
     truth = float(motorcycle().truth[row, column])
     depth = float(depth_from_disparity(max(found.disparity, 0), F, BASELINE, OFFSET))
@@ -76,15 +84,16 @@ def disparity_frame(u: float, v: float, reach: float) -> Frame:
         ),
         Readout("Depth", "Z", f"{depth:.0f} ± {sigma:.0f}", "mm"),
         Readout("Off by", "", f"{off:+.1f}" if np.isfinite(off) else "not known", _px(off)),
-        Readout("As good elsewhere", "", _elsewhere(found)),
+        Readout("Another valley as deep", "", _elsewhere(found)),
     )
     pictures = (
-        _left(column, row, h),
+        _left(column, row, h, "" if fixed is None else place),
         _right(column, row, h, found, truth),
         _curve(found, truth),
         _windows(column, row, h, found),
     )
-    return Frame(pictures, readouts)
+    follows = {} if fixed is None else {"u": column, "v": row}
+    return Frame(pictures, readouts, follows=follows)
 
 
 def _px(number: float) -> str:
@@ -167,12 +176,12 @@ def _box(u: float, v: float, reach: int) -> Floats:
     return np.asarray(np.array(_shown(u, v)) + around)
 
 
-def _left(u: int, v: int, h: int) -> Picture:
+def _left(u: int, v: int, h: int, place: str) -> Picture:
     # A pixel p of the small picture is u = (p + 0.5) / SCALE - 0.5 in the photograph.
     shift = 0.5 / SCALE - 0.5
     moves = (("u", shift, 1 / SCALE, 0.0), ("v", shift, 0.0, 1 / SCALE))
     return Picture(
-        "Left: drag the spot",
+        f"Left: {place or 'drag the spot'}",
         f"The left photograph of a motorcycle, with a window of {2 * h + 1} pixels around the "
         f"pixel ({u}, {v}).",
         SHOWN_SIZE,
@@ -181,7 +190,7 @@ def _left(u: int, v: int, h: int) -> Picture:
             Line([_shown(0, v), _shown(SIZE[0] - 1, v)], "guide", 1.2, dashed=True),
             Line(_box(u, v, h), "object", 2.0, closed=True),
         ),
-        handles=(Handle(_shown(u, v), moves),),
+        handles=() if place else (Handle(_shown(u, v), moves),),
     )
 
 
@@ -204,24 +213,33 @@ def _right(u: int, v: int, h: int, found: Match, truth: float) -> Picture:
     )
 
 
+def curve_axes(found: Match) -> Plot:
+    """Return axes that hold the curve of a match, and not much more."""
+    most = float(found.differences.max())
+    top = next(height for height in HEIGHTS if height >= most)
+    return Plot(CURVE_BOX, (0, FARTHEST), (0, top))
+
+
 def _curve(found: Match, truth: float) -> Picture:
     """Return the difference of the windows against the disparity."""
     d = np.arange(len(found.differences))
-    lines = [AXES.frame(), Line(AXES.pixels(d, np.minimum(found.differences, 100)), "ink", 1.8)]
-    least = min(float(found.differences[found.best]), 100)
+    axes = curve_axes(found)
+    lines = [axes.frame(), Line(axes.pixels(d, found.differences), "ink", 1.8)]
+    least = float(found.differences[found.best])
     at = float(np.clip(found.disparity, 0, FARTHEST))
-    lines.append(Line(disc(AXES.pixels(at, least)[0], 5), "camera", 2.5, closed=True))
+    lines.append(Line(disc(axes.pixels(at, least)[0], 5), "camera", 2.5, closed=True))
     if np.isfinite(truth) and 0 <= truth <= FARTHEST:
-        lines.append(Line(AXES.pixels(truth, AXES.y), "image", 1.5, dashed=True))
+        lines.append(Line(axes.pixels(truth, axes.y), "image", 1.5, dashed=True))
     return Picture(
         "Difference",
         f"The difference of the windows along the row. It is smallest, {least:.1f} grey levels, at "
-        f"a disparity of {found.disparity:.1f} pixels; as good elsewhere: {_elsewhere(found)}.",
+        f"a disparity of {found.disparity:.1f} pixels; another valley as deep: {_elsewhere(found)}.",
         CURVE_SIZE,
         lines=tuple(lines),
         labels=(
-            *AXES.ticks((0, 10, 20, 30, 40, 50, 60, 70), (0, 50, 100)),
-            *AXES.names("disparity (px); dashed: truth", "grey levels (RMS)"),
+            *axes.ticks((0, 10, 20, 30, 40, 50, 60, 70), (0, axes.y[1] / 2, axes.y[1])),
+            Label("disparity (px); dashed: truth", (240, 228), anchor="middle"),
+            Label("difference in grey levels (RMS)", (10, 12)),
         ),
     )
 
