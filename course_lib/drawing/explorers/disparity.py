@@ -233,7 +233,7 @@ def _curve(found: Match, truth: float) -> Picture:
     return Picture(
         "Difference",
         f"The difference of the windows along the row. It is smallest, {least:.1f} grey levels, at "
-        f"a disparity of {found.disparity:.1f} pixels; another valley as deep: {_elsewhere(found)}.",
+        f"a disparity of {found.disparity:.1f} pixels; another as deep: {_elsewhere(found)}.",
         CURVE_SIZE,
         lines=tuple(lines),
         labels=(
