@@ -140,8 +140,11 @@ def _depths(R: Floats, t: Floats, x1: Floats, x2: Floats) -> Floats:
 
 
 def _from_above(ax: Axes, centre: Floats, forward: Floats, role: str) -> None:
-    """Draw a camera from above as a triangle that opens in its viewing direction."""
+    """Draw a camera from above: a wide triangle, a dot at its centre, an arrow along its view."""
     at, way = centre[[0, 2]], forward[[0, 2]] / np.linalg.norm(forward[[0, 2]])
     across = np.array([way[1], -way[0]])
-    corners = np.array([at, at + 0.55 * way + 0.38 * across, at + 0.55 * way - 0.38 * across])
-    ax.fill(*corners.T, fc=ROLES[role], ec=ROLES[role], lw=1.5, alpha=0.75)
+    corners = np.array([at, at + 0.35 * way + 0.5 * across, at + 0.35 * way - 0.5 * across])
+    ax.fill(*corners.T, fc=ROLES[role], ec=ROLES[role], lw=1.5, alpha=0.4)
+    look = {"arrowstyle": "-|>", "color": ROLES[role], "lw": 2, "shrinkA": 0, "shrinkB": 0}
+    ax.annotate("", xy=at + 1.0 * way, xytext=at, arrowprops=look)
+    ax.plot(*at, "o", color=ROLES[role], ms=6, mec="white")

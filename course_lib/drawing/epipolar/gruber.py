@@ -44,7 +44,8 @@ def parallaxes() -> Floats:
 
 @figure(
     "Six numbered positions in the overlap of two aerial pictures, five times: arrows show how a "
-    "wrong number of the relative orientation moves points up or down there."
+    "wrong number of the relative orientation moves points up or down there. Squares: right below "
+    "the two cameras."
 )
 def von_gruber() -> Figure:
     """Show what each of the five numbers does to the rows of partners.
@@ -61,8 +62,9 @@ def von_gruber() -> Figure:
         outline = np.array([(-0.25, -1.5), (1.25, -1.5), (1.25, 1.5), (-0.25, 1.5), (-0.25, -1.5)])
         ax.plot(*outline.T, color=GREY, lw=1)
         for number, (x, y), up in zip((1, 2, 3, 4, 5, 6), POSITIONS, moved, strict=True):
-            ax.plot(x, y, "o", color=ROLES["guide"], ms=4)
-            write(ax, (x - 0.14, y), str(number), fontsize=9)
+            below = "camera" if number <= 2 else "guide"  # right below a camera
+            ax.plot(x, y, "s" if number <= 2 else "o", color=ROLES[below], ms=6)
+            write(ax, (x - 0.16, y), str(number), fontsize=9)
             length = 0.45 * up / np.abs(moved).max()
             if abs(length) > 0.02:
                 look = {"arrowstyle": "-|>", "color": ROLES["object"], "lw": 2.2}

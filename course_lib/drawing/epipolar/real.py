@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 COLOURS = ("camera", "ray", "image", "object", "second")
 #: Corners of a board whose lines are drawn.
 SHOWN = (0, 22, 31, 44, 53)
+#: Corners near the edge of the picture, where the lens bends most.
+ENLARGED = (0, 1, 9, 10, 18)
+REACH = 45
 
 
 def board_fundamental(boards: StereoBoards) -> Floats:
@@ -45,8 +48,9 @@ def _show(ax: Axes, picture: NDArray[np.uint8], title: str) -> None:
 
 
 @figure(
-    "A right photograph of a board with five corners, and the lines on which the left photograph "
-    "and the calibration put them: beside the corners with the lens, through them without."
+    "A part of a right photograph of a board, enlarged: five corners, and the lines on which the "
+    "left photograph and the calibration put them. As taken the lines pass beside the corners, "
+    "without distortion through them."
 )
 def corner_lines(boards: StereoBoards, view: int = 0) -> Figure:
     """Show epipolar lines of the calibrated pair, with distorted and with straight pixels.
@@ -61,7 +65,7 @@ def corner_lines(boards: StereoBoards, view: int = 0) -> Figure:
     Returns
     -------
     Figure
-        The right photograph as taken and without distortion.
+        The same part of the right photograph as taken and without distortion.
     """
     fig, axes = panels(1, 2, (FULL_WIDTH, 3.4))
     F, part = board_fundamental(boards), slice(54 * view, 54 * (view + 1))
@@ -73,18 +77,25 @@ def corner_lines(boards: StereoBoards, view: int = 0) -> Figure:
     names = "as taken", "without distortion"
     for ax, picture, left, right, name in zip(axes, pictures, lefts, rights, names, strict=True):
         lines = epipolar_lines(left, F)
-        _show(ax, picture, f"{name}: {line_distance(right, lines).mean():.2f} px off")
-        for number, role in zip(SHOWN, COLOURS, strict=True):
+        _show(ax, picture, f"right, {name}: {line_distance(right, lines).mean():.2f} px off")
+        for number, role in zip(ENLARGED, COLOURS, strict=True):
             stroke = stroke_of(lines[number], (640, 480))
             if stroke is not None:
-                ax.plot(*stroke.T, color=ROLES[role], lw=1.5)
+                ax.plot(*stroke.T, color=ROLES[role], lw=2)
             ax.plot(*right[number], "o", mfc="none", mec=ROLES[role], ms=8, mew=2)
+        _enlarge(ax, right[list(ENLARGED)])
     return fig
+
+
+def _enlarge(ax: Axes, points: Floats) -> None:
+    """Show only the surroundings of points, twice `REACH` wide and high, px."""
+    u, v = (points.min(axis=0) + points.max(axis=0)) / 2
+    ax.set(xlim=(u - REACH, u + REACH), ylim=(v + REACH, v - REACH))
 
 
 @figure(
     "A picture with a stroke from each tie point to where its partner is in the other picture: "
-    "green where the pair is right or accepted, red where not."
+    "green where the pair is right or accepted, orange where not."
 )
 def strokes(
     picture: NDArray[np.uint8],

@@ -19,6 +19,8 @@ from course_lib.drawing.explorers.pairs import (
 from course_lib.drawing.explorers.trails import Trail
 from course_lib.drawing.style import FULL_WIDTH, ROLES
 from course_lib.epipolar import epipole, fundamental_from_cameras
+from course_lib.epipolar.fundamental import pair_rows
+from course_lib.homography import normalise_points
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -195,9 +197,27 @@ def eight_pairs(sigma: float = 0.5) -> tuple[Floats, Floats]:
     return points1, points2
 
 
+def of_rank_three(points1: ArrayLike, points2: ArrayLike) -> Floats:
+    """Return what the equations of eight or more pairs give, before the rank is made 2.
+
+    Parameters
+    ----------
+    points1, points2 : array_like, shape (N, 2)
+        N ≥ 8 pixels of picture 1, and their partners in picture 2.
+
+    Returns
+    -------
+    ndarray, shape (3, 3)
+        The matrix for pixels, of rank 3 if the pixels have errors.
+    """
+    (near1, T1), (near2, T2) = normalise_points(points1), normalise_points(points2)
+    raw = np.linalg.svd(pair_rows(near1, near2))[2][-1].reshape(3, 3)
+    return np.asarray(T2.T @ raw @ T1)
+
+
 @figure(
-    "Epipolar lines around the epipole, enlarged. Left: of a matrix of rank 3 they miss each "
-    "other. Right: of rank 2 they meet in one point."
+    "Epipolar lines around the epipole, 6 × 4 px of it. Left: of a matrix of rank 3 they miss "
+    "each other. Right: of rank 2 they meet in one point."
 )
 def rank(raw: ArrayLike, mended: ArrayLike) -> Figure:
     """Show the lines of two fundamental matrices near their epipole.
@@ -215,7 +235,7 @@ def rank(raw: ArrayLike, mended: ArrayLike) -> Figure:
     fig, axes = panels(1, 2, (FULL_WIDTH, 3.4))
     one = true_pairs(AHEAD, WIDTH)[0][:24]
     middle = epipole(np.asarray(mended, dtype=float).T)
-    names = ("rank 3: no common point", "rank 2: one epipole")
+    names = ("rank 3: no common point (6 × 4 px)", "rank 2: one epipole (6 × 4 px)")
     for ax, F, title in zip(axes, (raw, mended), names, strict=True):
         for u, v in one:
             a, b, c = np.asarray(F, dtype=float) @ (u, v, 1)

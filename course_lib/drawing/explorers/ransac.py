@@ -20,6 +20,7 @@ SIZE, PLOT_SIZE = (340, 255), (300, 256)
 PAIRS, SAMPLE, MOST = 60, 8, 300
 NOISE = 0.3  # px, of each coordinate of a right pair
 CONFIDENCE = 0.99
+MANY = 1_000_000  # draws: more than anybody makes
 HALF = np.array([0.0, 1.5])  # px: half of a tick of the history
 PLOT = Plot((40, 290, 26, 218), (0, MOST), (0, PAIRS))
 
@@ -85,12 +86,13 @@ def ransac_frame(n: int, wrong: float, threshold: float) -> Frame:
     share = min(counts[best] / PAIRS, 1.0)
     needed = ransac_iterations(CONFIDENCE, SAMPLE, 1 - share) if share > 0 else 0
     long = f"{needed:,}".replace(",", "\N{NARROW NO-BREAK SPACE}")
+    long = long if needed <= MANY else "more than a million"
     good = int(all_draws.right[all_draws.samples[now]].sum())
     readouts = (
         Readout("Right pairs in this sample", "", f"{good} of {SAMPLE}"),
         Readout("Agree with this draw", "", f"{counts[now]} of {PAIRS}"),
         Readout("Most so far", "", f"{counts[best]}, draw {best + 1}"),
-        Readout("Draws needed for 99 %", "", long),
+        Readout("Draws needed, by the best", "", long),
     )
     pictures = (
         _pairs(all_draws, now, agree[now], f"Draw {now + 1}: {counts[now]} agree"),
@@ -113,8 +115,8 @@ def _pairs(all_draws: Drawn, number: int, agree: NDArray[np.bool_], title: str) 
     return Picture(
         title,
         f"The left picture with a stroke from each of {PAIRS} points to where its partner is in "
-        f"the right one. {int(agree.sum())} pairs agree (green), the others do not (red). Rings: "
-        "the eight pairs of the sample.",
+        f"the right one. {int(agree.sum())} pairs agree (green), the others do not (orange). "
+        "Rings: the eight pairs of the sample.",
         SIZE,
         photographs(TOWARDS, WIDTH)[0],
         lines=tuple(lines),

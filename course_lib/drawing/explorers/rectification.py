@@ -143,6 +143,14 @@ def _turns(views: TwoViews) -> tuple[Floats, Floats]:
     return vector_from_rotation(whole.R1), vector_from_rotation(whole.R2)
 
 
+@cache
+def _four_channels(views: TwoViews) -> list[Colour]:
+    """Return both pictures with a fourth channel: OpenCV turns these in half the time of three."""
+    import cv2
+
+    return [np.asarray(cv2.cvtColor(p, cv2.COLOR_RGB2RGBA), np.uint8) for p in views.pictures]
+
+
 def turned(views: TwoViews, s: float) -> tuple[Floats, Floats, tuple[float, float]]:
     """Return both homographies at a share of the way, and their turns in degrees."""
     out = []
@@ -167,7 +175,8 @@ def _picture(
         u = np.array([0.0, SIZE[0] - 1])
         strokes.append(Line(np.stack([u, -(a * u + c) / b], axis=1), role, 1.8))
         strokes.append(Line(disc(points[number], 4.5), role, 2.5, closed=True))
-    shown = cv2.warpPerspective(views.pictures[k], H, SIZE, borderValue=(235, 235, 235))
+    shown = cv2.warpPerspective(_four_channels(views)[k], H, SIZE, borderValue=(235,) * 4)
+    shown = cv2.cvtColor(shown, cv2.COLOR_RGBA2RGB)
     return Picture(
         name,
         f"{name} picture, turned, with {SHOWN} points and the epipolar lines of their partners. "
