@@ -79,6 +79,10 @@ EXPLORERS = {
         ("reconstruction stepper", "growing_explorer", "A block grows", "turn"),
         ("control points", "control_point_game", "Place the control points", "x1"),
     ),
+    "planning": (
+        ("set-up planner", "setup_planner", "Plan a set-up", "turn_deg"),
+        ("flight planner", "flight_planner", "Plan a flight", "gsd"),
+    ),
 }
 
 # What is on the screen: the number of the frame drawn, or the picture that Matplotlib made. New

@@ -20,6 +20,7 @@ CHAPTERS = {
     "epipolar": "08_epipolar",
     "triangulation": "09_triangulation",
     "bundle": "10_bundle",
+    "planning": "11_planning",
 }
 
 

@@ -91,8 +91,10 @@ EXPLORERS = {
     ),
     "bench": ("triangulation", "bench_explorer", "Triangulation bench", "Baseline b"),
     "disparity": ("triangulation", "disparity_explorer", "Disparity of a real pair", "Row v"),
-    "growing": ("bundle", "growing_explorer", "A block grows", "Cameras"),
+    "growing": ("bundle", "growing_explorer", "A block grows", "Newest picture"),
     "control": ("bundle", "control_point_game", "Place the control points", "Point 1 east"),
+    "setup": ("planning", "setup_planner", "Plan a set-up", "Distance Z"),
+    "flight": ("planning", "flight_planner", "Plan a flight", "Ground sampling distance GSD"),
 }
 #: Those with a photograph that the pointer reads; everything is tried on them.
 READABLE = ("aperture", "focal", "dolly", "depth", "corners")
