@@ -14,6 +14,7 @@ from benchmarks import (
     corners,
     epipolar,
     estimate,
+    grading,
     latency,
     lens,
 )
@@ -34,6 +35,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "epipolar": epipolar.epipolar,
     "starting": commands.starting,
     "building": commands.building,
+    "grading": grading.grading,
 }
 
 

@@ -25,8 +25,6 @@ from course_lib.judging.html import to_html
 from course_lib.judging.limits import TimeLimitReached, time_limit
 from course_lib.judging.text import to_text
 
-#: Set while submissions are graded: the seed of this student's hidden inputs.
-GRADING_SEED = "COURSE_GRADING_SEED"
 #: Seconds that a student's function may take inside a figure's cell.
 PATIENCE = 3.0
 
@@ -199,13 +197,11 @@ def verdict_of(exercise: Exercise, namespace: Mapping[str, Any]) -> Verdict:
     Returns
     -------
     Verdict
-        With examples for the seed that a student sees, without when submissions are graded.
+        With examples: these inputs are the student's to see. Grading poses others.
     """
-    key = os.environ.get(GRADING_SEED)
-    seed = seed_for(key, exercise.name) if key else seed_for(_student(), exercise.name)
-    cases = pose(exercise, seed)
+    cases = pose(exercise, seed_for(_student(), exercise.name))
     answers = answer(exercise, _answering(exercise, namespace), cases)
-    return judge(exercise, cases, answers, reveal=not key)
+    return judge(exercise, cases, answers)
 
 
 def _answering(exercise: Exercise, namespace: Mapping[str, Any]) -> Callable[..., Any]:

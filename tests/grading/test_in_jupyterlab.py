@@ -1,7 +1,5 @@
 """nbgrader's buttons in a real JupyterLab: formgrader for the instructor, Validate for students."""
 
-import os
-
 import nbformat
 import pytest
 from lab import Lab, browser, chromium, open_notebook
@@ -9,7 +7,6 @@ from nbgrader.api import Gradebook
 
 from course_lib.exercises import all_exercises
 from course_lib.judging import Exercise
-from course_lib.notebook import GRADING_SEED
 from data_generators.classes import Simulation, misconceived, right, write_submissions
 
 pytestmark = [
@@ -75,7 +72,6 @@ def test_validate_says_what_is_wrong(first_mistakes, tmp_path, open_lab):
     path = tmp_path / "work" / f"{ASSIGNMENT}.ipynb"
     path.parent.mkdir()
     path.write_bytes(first_mistakes.content)
-    assert GRADING_SEED not in os.environ
     lab, page = open_lab(path.parent)
     open_notebook(page, lab, path)
     page.locator(".jp-NotebookPanel-toolbar").get_by_text("Validate", exact=True).click()
