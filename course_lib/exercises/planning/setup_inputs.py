@@ -55,7 +55,8 @@ def setup(rng: Generator, slow: bool, light: float, stand_off: float, last: int 
     late = right | {"frame_rate": float(round(rate * rng.uniform(0.5, 0.8)))}
     wrong = [coarse, late] if rng.integers(2) else [late, coarse]
     lenses = [lens(f) for f in FOCAL_LENGTHS[middle - 1 : middle + 2]]
-    posed = {"task": task, "cameras": [*wrong[:last], right, *wrong[last:]], "lenses": lenses}
+    cameras = [*wrong[:last], right, *wrong[last:]]
+    posed: Inputs = {"task": task, "cameras": cameras, "lenses": lenses}
     plan = search(**posed)
     task["exposure_at_f1"] = three_digits(light * plan["exposure_time"] / plan["N"] ** 2)
     return posed
