@@ -9,6 +9,9 @@ from course_lib.drawing.explorers.growing import growing_frame
 from course_lib.widgets.controls import Choice, Slider, Switch
 from course_lib.widgets.explorer import Explorer
 
+#: Control points that fix a block.
+LEAST = 3
+
 
 def growing_explorer() -> Explorer:
     """Return the reconstruction stepper: a block that grows camera by camera."""
@@ -16,7 +19,7 @@ def growing_explorer() -> Explorer:
     return Explorer(
         "A block grows",
         [
-            Slider("cameras", "Cameras", "", "", 2, PICTURES + 1, 2),
+            Slider("picture", "Newest picture", "", "", 1, PICTURES, 1),
             Choice("way", "Cameras are", tuple(WAYS), first),
             Slider("turn", "Look from", "", "°", -180, 180, 20, step=5),
         ],
@@ -27,7 +30,7 @@ def growing_explorer() -> Explorer:
 def control_point_game() -> Explorer:
     """Return the control-point game: place a few control points, and see the height errors."""
     controls: list[Slider | Switch] = [
-        Slider("n", "Control points", "", "", 3, 5, 4),
+        Slider("n", "Control points", "", "", LEAST, len(START), LEAST + 1),
         Switch("dome", "The lens is 2.4 px off in the corners"),
     ]
     for i, place in enumerate(START, 1):
@@ -37,6 +40,15 @@ def control_point_game() -> Explorer:
         ):
             last = (cells - 1) * STEP
             controls.append(
-                Slider(f"{name}{i}", f"Point {i} {label}", "", "m", 0, last, value, step=STEP)
+                Slider(
+                    f"{name}{i}",
+                    f"Point {i} {label}" + (", if used" if i > LEAST else ""),
+                    "",
+                    "m",
+                    0,
+                    last,
+                    value,
+                    step=STEP,
+                )
             )
     return Explorer("Place the control points", controls, control_frame)

@@ -130,6 +130,13 @@ def test_the_matrices_are_zero_where_nobody_sees():
     assert titles[2].endswith("36 × 36")
 
 
+def test_where_cameras_and_points_meet_has_a_colour_of_its_own():
+    c = 36
+    N = np.asarray(draw.sparsity().axes[1].images[0].get_array())
+    kinds = [set(np.unique(part)) for part in (N[:c, :c], N[c:, c:], N[:c, c:], N[c:, :c])]
+    assert kinds == [{0, 1}, {0, 2}, {0, 3}, {0, 3}]
+
+
 def test_cameras_without_a_common_point_do_not_meet_in_what_is_left():
     _, seen = matrices.small_block()
     image = draw.sparsity().axes[2].images[0].get_array()

@@ -87,7 +87,7 @@ def test_a_chain_drifts_and_adjustment_holds_it():
     for way in growing.WAYS:
         C = growing.grown(way)[-1].block.centres
         gaps.append(np.linalg.norm(C[-1] - C[0]))
-        frame = stepper.growing_frame(25, way, 20)
+        frame = stepper.growing_frame(24, way, 20)
         label = frame.pictures[1].labels[-1].text
         assert label == f"gap {1000 * gaps[-1]:.1f} mm"
     assert gaps[0] > 5 * gaps[1]
@@ -95,7 +95,7 @@ def test_a_chain_drifts_and_adjustment_holds_it():
 
 @pytest.mark.parametrize("way", growing.WAYS)
 def test_the_frame_says_what_it_draws(way):
-    frame = stepper.growing_frame(14, way, 35)
+    frame = stepper.growing_frame(13, way, 35)
     stage = growing.grown(way)[12]
     assert value(frame, "Newest picture") == 13
     assert value(frame, "Known points it sees") == stage.seen
@@ -119,7 +119,7 @@ def test_the_frame_says_what_it_draws(way):
 
 def test_everything_is_inside_from_all_sides():
     for turn in range(-180, 181, 45):
-        space = stepper.growing_frame(25, ADJUSTED, turn).pictures[0]
+        space = stepper.growing_frame(24, ADJUSTED, turn).pictures[0]
         for line in space.lines:
             points = np.asarray(line.points)
             points = points[np.isfinite(points[:, 0])]
@@ -208,9 +208,27 @@ def test_the_map_shows_the_errors():
         np.testing.assert_allclose(picture.image[v, u].astype(int), wanted.astype(int), atol=6)
 
 
+def test_the_scale_tells_large_errors_apart():
+    picture = game.control_frame(4, True, **named(game.START)).pictures[0]
+    control = tuple(game.numbered(*place) for place in game.START[:4])
+    errors = 1000 * placement.height_errors(control, True)
+    assert 200 < errors.max() < game.SCALE.y[1]
+    shades = game._coloured(np.array([25.0, 50, 100, 200, 400])).astype(int).sum(axis=1)
+    assert (np.diff(shades) < -60).all()
+    scale = [label.text for label in picture.labels if label.at[0] > 560]
+    assert scale == ["25", "50", "100", "200", "400+"]
+
+
+def test_numbers_of_points_keep_off_the_name_of_the_axis():
+    corners = [(0, 0), (168, 0), (168, 120), (0, 120)]
+    labels = game.control_frame(4, False, **named(corners)).pictures[0].labels
+    (axis,) = (label for label in labels if label.text == "north (m)")
+    assert all(abs(label.at[1] - axis.at[1]) > 14 for label in labels if label.text in "34")
+
+
 def test_the_score_is_the_share_of_the_best():
     frame = game.control_frame(4, True, **named(game.START))
-    share = value(frame, "Best choice found") / value(frame, "Height error over all points")
+    share = value(frame, "Best choice found") / value(frame, "Height error, RMS of all points")
     assert value(frame, "Score") == pytest.approx(100 * share, abs=1)
     best = [divmod(n, 15) for n in placement.best_control(4, True)]
     places = [(12.0 * column, 12.0 * row) for row, column in best]

@@ -347,6 +347,8 @@ def test_strasbourg():
     assert city.fit.redundancy == 64
     assert np.sqrt(city.fit.cost / 94) == about(0.8597, 4)
     assert len(city.fit.block.R) == 5
+    assert len(city.control) == len(city.fit.block.points) == 16
+    says("the 16 control points", "five with six numbers each")
     says("94 measured numbers minus 30 unknowns", "0.8597", "Five pictures", "$f = 123.94$ mm")
 
 

@@ -73,7 +73,7 @@ def _circle(ax: Axes) -> None:
     for a in np.deg2rad(np.arange(0, 360, 10)):
         out, side = np.array([np.cos(a), np.sin(a)]), np.array([-np.sin(a), np.cos(a)])
         ax.fill(
-            *np.array([1.08 * out, 0.96 * out + 0.05 * side, 0.96 * out - 0.05 * side]).T,
+            *np.array([0.96 * out, 1.08 * out + 0.05 * side, 1.08 * out - 0.05 * side]).T,
             color=ROLES["camera"],
             lw=0,
         )
@@ -100,10 +100,8 @@ def _strips(ax: Axes) -> None:
         track += [(column * along, row * across) for column in columns]
     stroke(ax, track, "camera", lw=1.5)
     ax.plot(*np.array(track).T, "o", color=ROLES["camera"], ms=6)
-    for (x, y), filled in (((0, 0), 0.25), ((along, 0), 0), ((0, across), 0)):
+    for x, y in ((0, 0), (along, 0), (0, across)):
         box = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [width / 2, high / 2] + [x, y]
-        if filled:
-            ax.fill(*box.T, fc=ROLES["image"], alpha=filled, lw=0)
         ax.plot(*np.vstack([box, box[:1]]).T, color=ROLES["image"], lw=1.5)
     write(ax, (-width / 2, -high / 2 - 0.1), "footprints of three pictures", "image", ha="left")
     write(
@@ -113,4 +111,4 @@ def _strips(ax: Axes) -> None:
         ha="left",
         color=BLACK,
     )
-    fit(ax, -0.75, 1.95, -0.85, 1.35)
+    fit(ax, -0.75, 1.95, -1.05, 1.65)

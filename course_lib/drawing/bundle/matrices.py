@@ -6,10 +6,11 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from course_lib.bundle import Block, Observations, reprojection_jacobian
 from course_lib.drawing.diagrams import Floats, figure, panels, write
-from course_lib.drawing.style import FULL_WIDTH, GREY, LIGHT, ROLES
+from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, LIGHT, ROLES
 from data_generators.blocks import turntable
 
 if TYPE_CHECKING:
@@ -66,22 +67,29 @@ def sparsity() -> Figure:
     S = N[:c, :c] - N[:c, c:] @ np.linalg.inv(N[c:, c:]) @ N[c:, :c]
     fig, axes = panels(1, 3, (FULL_WIDTH, 3.6), width_ratios=(1, 1, 0.72))
     titles = ("derivatives $J$", "normal matrix $J^T J$", "cameras alone")
-    for ax, matrix, title in zip(axes, (J, N, S), titles, strict=True):
-        _pattern(ax, matrix, c)
+    rows = np.arange(len(N)) < c
+    for ax, matrix, title, of_camera in zip(
+        axes, (J, N, S), titles, (None, rows, rows[:c]), strict=True
+    ):
+        _pattern(ax, matrix, c, of_camera)
         rows, columns = matrix.shape
         ax.set_title(f"{title}\n{rows} × {columns}", fontsize=11)
     _block_names(axes[1], c, len(N))
     return fig
 
 
-def _pattern(ax: Axes, matrix: Floats, cameras: int) -> None:
-    """Draw what is not zero, the columns of cameras and of points in their colours."""
+def _pattern(
+    ax: Axes, matrix: Floats, cameras: int, rows_of_cameras: NDArray[np.bool_] | None
+) -> None:
+    """Draw what is not zero in the colours of cameras and points; black where the two meet."""
     from matplotlib.colors import ListedColormap
 
     filled = np.abs(matrix) > 1e-9 * np.abs(matrix).max()
     kinds = np.where(np.arange(matrix.shape[1]) < cameras, 1, 2)[None] * filled
-    colours = ListedColormap([LIGHT, ROLES["camera"], ROLES["object"]])
-    ax.imshow(kinds, cmap=colours, vmin=0, vmax=2, aspect="auto", interpolation="nearest")
+    if rows_of_cameras is not None:
+        kinds[(rows_of_cameras[:, None] != (kinds == 1)) & filled] = 3
+    colours = ListedColormap([LIGHT, ROLES["camera"], ROLES["object"], BLACK])
+    ax.imshow(kinds, cmap=colours, vmin=0, vmax=3, aspect="auto", interpolation="nearest")
     ax.set(xticks=[], yticks=[])
     ax.spines[:].set_visible(True)
     ax.spines[:].set_color(GREY)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 #: Pictures of the circle that are shown side by side, and points that are marked in all of them.
-SHOWN, MARKED = (0, 1, 2), 24
+SHOWN, MARKED = (0, 1, 2), 16
 #: How many pictures to each side a picture is compared with.
 REACH = 2
 #: Eyes of the two onlookers, and how far from the middle points are drawn, in mean distances of
@@ -41,7 +41,7 @@ def neighbours(pictures: int = 24) -> list[tuple[int, int]]:
     return [(min(pair), max(pair)) for pair in pairs]
 
 
-@figure("Three neighbouring pictures of a painted vase; dots mark details found in all of them.")
+@figure("Three neighbouring pictures of a painted vase; dots of one colour are one detail.")
 def followed_points(known: BlockPictures, seen: Observations) -> Figure:
     """Show three pictures, and details that were followed through them.
 
@@ -62,13 +62,13 @@ def followed_points(known: BlockPictures, seen: Observations) -> Figure:
     everywhere = [seen.points[seen.cameras == camera] for camera in SHOWN]
     common = sorted(set(everywhere[0]).intersection(*everywhere[1:]))
     chosen = np.array(common)[np.linspace(0, len(common) - 1, MARKED).astype(int)]
-    colours = mpl.colormaps["tab20"](np.linspace(0, 1, MARKED))
-    fig, axes = panels(1, len(SHOWN), (FULL_WIDTH, 2.4))
+    colours = mpl.colormaps["turbo"](np.linspace(0, 1, MARKED))
+    fig, axes = panels(1, len(SHOWN), (FULL_WIDTH, 2.5))
     for ax, camera in zip(axes, SHOWN, strict=True):
         ax.imshow(known.pictures[camera])
         mine = seen.only((seen.cameras == camera) & np.isin(seen.points, chosen))
         order = np.argsort(mine.points)
-        ax.scatter(*mine.pixels[order].T, s=26, c=colours, edgecolors="white", linewidths=0.8)
+        ax.scatter(*mine.pixels[order].T, s=60, c=colours, edgecolors="white", linewidths=0.8)
         ax.set_title(f"picture {camera}", fontsize=10)
         ax.axis("off")
     return fig

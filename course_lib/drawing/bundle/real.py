@@ -122,12 +122,20 @@ def strasbourg_plan(city: City) -> Figure:
     for camera, (R, C) in enumerate(zip(block.R, block.centres, strict=True)):
         down = rays @ R
         ground = C + down * (-C[2:] / down[:, 2:])
-        ax.plot(*ground[:, :2].T, color=ROLES["image"], lw=1)
-        ax.plot(*C[:2], "o", color=ROLES["camera"], ms=6)
+        first = camera == 0
+        ax.plot(
+            *ground[:, :2].T,
+            color=ROLES["image"],
+            lw=1,
+            label="what a picture shows" if first else None,
+        )
+        ax.plot(*C[:2], "o", color=ROLES["camera"], ms=6, label="camera" if first else None)
         ax.annotate(
             str(camera + 1), tuple(C[:2]), (7, 7), textcoords="offset points", color=ROLES["camera"]
         )
-    ax.plot(*block.points[city.control, :2].T, "^k", mfc="white", ms=8)
+    places = block.points[city.control, :2].T
+    ax.plot(*places, "^k", mfc="white", ms=8, label="control point")
+    ax.legend(loc="upper left", bbox_to_anchor=(1, 1), fontsize=10)
     ax.set(aspect="equal", xlabel="east (m)", ylabel="north (m)", xticks=range(-500, 1500, 500))
     return fig
 

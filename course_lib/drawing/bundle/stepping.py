@@ -141,7 +141,9 @@ def adjustment_steps(rms: ArrayLike) -> Figure:
     values = values[: int(np.argmin(np.append(np.isfinite(values), False)))]
     fig, ax = panels(1, 1, (FULL_WIDTH * 0.75, 2.9))
     ax.plot(values.clip(0.3, 6), "o-", color=ROLES["camera"], ms=5)
-    ax.set(xlabel="steps (number)", ylabel="RMS (px)", xticks=range(7), xlim=(-0.4, 6.4))
+    ax.set(
+        xlabel="steps (number)", ylabel="RMS (px), logarithmic", xticks=range(7), xlim=(-0.4, 6.4)
+    )
     ax.set(yscale="log", ylim=(0.3, 6))
     ax.set_yticks([0.3, 0.5, 1, 2, 5])
     plain_numbers(ax)

@@ -17,7 +17,7 @@ from course_lib.drawing.bundle.placement import (
     height_errors,
 )
 from course_lib.drawing.explorers.frame import Frame, Handle, Label, Line, Picture, Readout
-from course_lib.drawing.explorers.plot import Plot, crosses
+from course_lib.drawing.explorers.plot import Plot, crosses, share
 from course_lib.drawing.style import rgb
 
 Floats = NDArray[np.float64]
@@ -26,8 +26,8 @@ Floats = NDArray[np.float64]
 START = ((48.0, 48.0), (72.0, 48.0), (72.0, 72.0), (48.0, 72.0), (84.0, 60.0))
 SIZE = (620, 430)  # px of the map with its scale
 PLAN = Plot((50, 498, 36, 356), (0, (COLUMNS - 1) * STEP), (0, (ROWS - 1) * STEP))
-SCALE = Plot((540, 560, 36, 356), (0, 1), (0, 200))
-#: Colours of errors of 0, 50, 100, 150 and 200 mm and more: the lighter, the better.
+SCALE = Plot((540, 560, 36, 356), (0, 1), (25, 400), log_y=True)
+#: Colours of errors of 25 mm and less, 50, 100, 200, 400 mm and more: the lighter, the better.
 COLOURS = ("#FFFFFF", "#F6D79A", "#E69F00", "#A45F00", "#4D2C00")
 
 
@@ -61,7 +61,7 @@ def _numbers(control: tuple[int, ...], errors: Floats | None, dome: bool) -> tup
         return (Readout("No height", "", words),)
     mine, best = check_error(control, dome), check_error(best_control(len(control), dome), dome)
     return (
-        Readout("Height error over all points", "", f"{1000 * mine:.0f}", "mm"),
+        Readout("Height error, RMS of all points", "", f"{1000 * mine:.0f}", "mm"),
         Readout("Worst point", "", f"{1000 * errors.max():.0f}", "mm"),
         Readout("Best choice found", "", f"{1000 * best:.0f}", "mm"),
         Readout("Score", "", f"{100 * min(best / mine, 1):.0f}", "%"),
@@ -78,7 +78,8 @@ def _map(places: list[tuple[float, float]], errors: Floats | None) -> Picture:
     labels = []
     for i, place in enumerate(places, 1):
         u, v = PLAN.at(*place)
-        labels.append(Label(f"{i}", (u + 9, v - 11)))
+        below = v < PLAN.box[2] + 20  # where the axis has its name above the map
+        labels.append(Label(f"{i}", (u + 9, v + (13 if below else -11))))
     cameras = crosses(PLAN.pixels(*free_block().block.centres[:, :2].T), 4)
     return Picture(
         "Drag the control points",
@@ -116,13 +117,13 @@ def _handle(number: int, place: tuple[float, float]) -> Handle:
 def _words() -> tuple[Label, ...]:
     """Return the labels that stay."""
     scale = [
-        Label(f"{value:g}{'+' if value == 200 else ''}", SCALE.at(1, value, 6))
-        for value in (0, 50, 100, 150, 200)
+        Label(f"{value:g}{'+' if value == 400 else ''}", SCALE.at(1, value, 6))
+        for value in (25, 50, 100, 200, 400)
     ]
     return (
         *PLAN.ticks((0, 48, 96, 144), (0, 48, 96)),
         *PLAN.names("east (m)", "north (m)"),
-        Label("mm", SCALE.at(0, 200, 0, -14)),
+        Label("mm", SCALE.at(0, 400, 0, -14)),
         Label("blue: cameras, 100 m above", (490, 392), "camera", "end"),
         *scale,
     )
@@ -151,7 +152,7 @@ def _paper() -> NDArray[np.uint8]:
     """Return white paper with the scale of colours on it."""
     paper = np.full((SIZE[1], SIZE[0], 3), 255, np.uint8)
     left, right, top, bottom = (int(end) for end in SCALE.box)
-    levels = np.linspace(SCALE.y[1], 0, bottom - top)[:, None]
+    levels = np.geomspace(*SCALE.y[::-1], bottom - top)[:, None]
     paper[top:bottom, left:right] = _coloured(np.repeat(levels, right - left, axis=1))
     paper[top:bottom, [left, right - 1]] = paper[[top, bottom - 1], left:right] = 118
     return paper
@@ -159,7 +160,8 @@ def _paper() -> NDArray[np.uint8]:
 
 def _coloured(errors: NDArray[np.floating]) -> NDArray[np.uint8]:
     """Return the colours of errors, mm."""
-    return np.asarray(_table()[np.clip(errors / SCALE.y[1] * 255, 0, 255).astype(np.uint8)])
+    levels = np.clip(255 * share(errors, SCALE.y, True), 0, 255)
+    return np.asarray(_table()[levels.astype(np.uint8)])
 
 
 @cache

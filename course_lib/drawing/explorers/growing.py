@@ -30,16 +30,16 @@ SPACE_SIZE, ABOVE_SIZE, CURVE_SIZE = (400, 300), (290, 300), (290, 300)
 #: How much longer than true deviations are drawn from above.
 TIMES = 5
 ABOVE = Plot((20, 270, 16, 266), (-1.2, 1.2), (-1.2, 1.2))
-CURVE = Plot((40, 280, 40, 262), (2, PICTURES + 1), (0, 4))
+CURVE = Plot((40, 280, 40, 262), (1, PICTURES), (0, 4))
 
 
-def growing_frame(cameras: float, way: str, turn: float) -> Frame:
-    """Return the block of the vase after so many cameras.
+def growing_frame(picture: float, way: str, turn: float) -> Frame:
+    """Return the block of the vase when a picture has come to those before it.
 
     Parameters
     ----------
-    cameras : float
-        How many cameras there are, 2 to 25; the 25th is the first picture once more.
+    picture : float
+        Number of the newest picture, 1 to 24, where 24 is number 0 once more.
     way : str
         A key of `course_lib.drawing.bundle.growing.WAYS`.
     turn : float
@@ -50,7 +50,7 @@ def growing_frame(cameras: float, way: str, turn: float) -> Frame:
     Frame
         The block in space and from above, the RMS so far, and what the newest camera brought.
     """
-    stages = grown(way)[: int(cameras) - 1]
+    stages = grown(way)[: int(picture)]
     stage, off = stages[-1], 1000 * drift(stages[-1])
     readouts = [
         Readout("Newest picture", "", _name(len(stage.block.R) - 1)),
@@ -148,13 +148,13 @@ def _above(stage: Stage, off: Floats) -> Picture:
 
 @cache
 def _curve_frame() -> tuple[tuple[Line, ...], tuple[Label, ...]]:
-    labels = (*CURVE.ticks((2, 10, 20), (0, 1, 2, 3)), *CURVE.names("cameras", "RMS (px)"))
+    labels = (*CURVE.ticks((1, 12, 24), (0, 1, 2, 3)), *CURVE.names("picture", "RMS (px)"))
     return (CURVE.frame(),), labels
 
 
 def _curve(stages: tuple[Stage, ...]) -> Picture:
     """Return the RMS before and after each adjustment, camera by camera."""
-    numbers = np.arange(2, len(stages) + 2)
+    numbers = np.arange(1, len(stages) + 1)
     before = CURVE.pixels(numbers, [s.before for s in stages])
     after = CURVE.pixels(numbers, [s.after for s in stages])
     lines, labels = _curve_frame()
@@ -168,7 +168,7 @@ def _curve(stages: tuple[Stage, ...]) -> Picture:
     )
     last = stages[-1]
     words = (
-        f"RMS of the reprojection error with {len(stages) + 1} cameras: {last.before:.2f} px "
+        f"RMS of the reprojection error with picture {len(stages)}: {last.before:.2f} px "
         f"before, {last.after:.2f} px after."
     )
     return Picture("Reprojection error", words, CURVE_SIZE, lines=lines, labels=labels)
