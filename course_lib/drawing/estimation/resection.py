@@ -9,7 +9,10 @@ from numpy.typing import ArrayLike
 
 from course_lib.camera.projection import project
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
+from course_lib.drawing.estimation.table import SIGMA
 from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
+from course_lib.homogeneous import apply_homography
+from course_lib.homography import homography_dlt
 from course_lib.resection.correction import correction_from_table, correction_table
 from course_lib.resection.learned_correction import HeldOut, hold_out
 from data_generators import cell
@@ -20,6 +23,7 @@ if TYPE_CHECKING:
 
 #: The dots of a sheet that lies on the table, mm.
 SHEET = np.stack(np.meshgrid(np.arange(0, 481, 30.0), np.arange(0, 321, 32.0)), -1).reshape(-1, 2)
+CHANCE = SIGMA * np.sqrt(2)  #: px: RMS of the error of a dot, in u and v together
 #: Cells of correction tables: (rows, columns).
 TABLES = ((1, 1), (2, 2), (2, 3), (3, 4), (4, 5), (5, 7), (6, 8), (8, 10), (10, 13), (12, 16))
 
@@ -140,16 +144,34 @@ def held_out(pixels: ArrayLike, residuals: ArrayLike) -> Figure:
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.4))
     ax.axhline(judged[0].before, color=GREY, lw=1.5, ls=(0, (6, 4)))
     write(ax, (230, judged[0].before + 0.07), "no correction", "guide", ha="right")
+    ax.axhline(CHANCE, color=GREY, lw=1.5, ls=(0, (1, 2)))
+    write(ax, (1.1, CHANCE - 0.07), f"chance, {CHANCE:.2f} px", "guide", ha="left")
     learned, unseen = ([getattr(j, name) for j in judged] for name in ("learned", "held_out"))
     ax.semilogx(cells, learned, "s--", color=ROLES["image"], label="points it was made from")
     ax.semilogx(cells, unseen, "o-", color=ROLES["object"], label="points it has not seen")
+    exact = [judge_table(*exact_sheet(), shape).held_out for shape in TABLES]
+    ax.semilogx(cells, exact, "-", color=BLACK, lw=1, label="the same, dots without errors")
     best = int(np.argmin(unseen))
     ax.plot(cells[best], unseen[best], "o", ms=16, mfc="none", mec=BLACK, mew=1.5)
-    ax.set(xlabel="size of the table (cells)", ylabel="residual, RMS (px)", ylim=(0, None))
+    ax.set(xlabel="size of the table (cells; each step of the axis is a factor)")
+    ax.set(ylabel="residual, RMS (px)", ylim=(0, None))
     ax.set_xticks(cells, [str(c) for c in cells])
     ax.minorticks_off()
     ax.legend(loc="lower left")
     return fig
+
+
+def exact_sheet() -> tuple[Floats, Floats]:
+    """Return where the dots of the sheet are seen through the cover, and what a homography leaves.
+
+    Returns
+    -------
+    pixels, residuals : ndarray, shape (N, 2)
+        Without any error of measuring, px.
+    """
+    straight = cell.camera_above().project(cell.on_table(SHEET))
+    pixels = straight + cell.cover_shift(straight)
+    return pixels, pixels - apply_homography(SHEET, homography_dlt(SHEET, pixels))
 
 
 def judge_table(pixels: ArrayLike, residuals: ArrayLike, shape: tuple[int, int]) -> HeldOut:

@@ -181,8 +181,8 @@ def too_high() -> Figure:
     write(ax, (ground + 0.2, -0.35), "where the needle goes", ha="left")
     stroke(ax, [(out, -0.75), (ground, -0.75)], "object", lw=3)
     write(ax, ((out + ground) / 2, -1.1), "miss", "object")
-    dimension(ax, (-0.5, 0), (-0.5, 5), "$H$")
-    dimension(ax, (4.9, 0), (4.9, height), "$h$")
+    dimension(ax, (-0.5, 0), (-0.5, 5), "$Z_C$")
+    dimension(ax, (4.9, 0), (4.9, height), "$Z$")
     dimension(ax, (0, -0.75), (out, -0.75), "$r$")
     fit(ax, -1.1, 7.2, -1.3, 5.4)
     return fig
