@@ -217,14 +217,8 @@ def test_the_stepper_does_what_the_text_says():
     assert drawn.right[drawn.errors[17] <= 1].all()
     wide = drawn.errors[17] <= 10
     assert (wide.sum(), (wide & ~drawn.right).sum()) == (45, 3)
-    says(
-        "one to nine agree",
-        "Draw 18",
-        "41 of the 42",
-        "Draw 71",
-        "Only 17",
-        "45 pairs agree, three more",
-    )
+    says("one to nine agree", "Draw 18", "41 of the 42", "Draw 71", "Only 17")
+    says("45 pairs agree in draw 18, three more")
 
 
 def test_a_clean_draw_is_one_in_17():

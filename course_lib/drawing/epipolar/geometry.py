@@ -146,5 +146,5 @@ def _from_above(ax: Axes, centre: Floats, forward: Floats, role: str) -> None:
     corners = np.array([at, at + 0.35 * way + 0.5 * across, at + 0.35 * way - 0.5 * across])
     ax.fill(*corners.T, fc=ROLES[role], ec=ROLES[role], lw=1.5, alpha=0.4)
     look = {"arrowstyle": "-|>", "color": ROLES[role], "lw": 2, "shrinkA": 0, "shrinkB": 0}
-    ax.annotate("", xy=at + 1.0 * way, xytext=at, arrowprops=look)
+    ax.annotate("", xy=tuple(at + way), xytext=tuple(at), arrowprops=look)
     ax.plot(*at, "o", color=ROLES[role], ms=6, mec="white")

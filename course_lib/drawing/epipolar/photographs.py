@@ -21,6 +21,7 @@ from course_lib.drawing.calibration.photographs import (
     grey_file,
 )
 from course_lib.drawing.distortion.boards import PHOTOGRAPHS
+from course_lib.drawing.triangulation import pair
 from course_lib.transforms import rotation_from_vector
 from data_generators.board_observations import observe_board
 
@@ -117,13 +118,10 @@ def _calibrated(left: tuple[Grey, ...], right: tuple[Grey, ...]) -> StereoBoards
     return StereoBoards(left, right, ours, theirs, found)
 
 
-@cache
 def motorcycle() -> tuple[Colour, Colour]:
     """Return the two pictures of the Middlebury motorcycle, rectified, shape (500, 741, 3)."""
-    from skimage.data import stereo_motorcycle
-
-    left, right, _ = stereo_motorcycle()
-    return np.asarray(left, np.uint8), np.asarray(right, np.uint8)
+    both = pair.motorcycle()
+    return both.left, both.right
 
 
 @cache
