@@ -14,6 +14,7 @@ from course_lib.drawing.explorers.disparity import disparity_frame
 from course_lib.drawing.triangulation import dense, methods, pair, plane, uncertainty
 from course_lib.exercises import all_exercises
 from course_lib.exercises.triangulation import plain
+from course_lib.exercises.triangulation.refinement_misconceptions import linearised
 
 TEXT = lesson_text("09_triangulation")
 says = TEXT.says
@@ -139,6 +140,10 @@ def test_steps_to_the_best_point():
         X = plain.refine_point(X, pixels, PLAIN_PAIR)
         depths.append(X[2])
     assert depths == [about(3.75, 9), about(3.984, 3), about(4.000, 3)]
+    J, r = linearised(np.array([1.0, 0, 5]), pixels, PLAIN_PAIR)
+    assert J.tolist() == [[20, 0, -4], [0, 20, 0], [20, 0, 0], [0, 20, 0]]
+    assert r.tolist() == [-5, 0, 0, 0]
+    says(r"20 & 0 & -4 \\ 0 & 20 & 0 \\ 20 & 0 & 0 \\ 0 & 20 & 0 \end", r"-5 \\ 0 \\ 0 \\ 0 \end")
     says("the depth goes from 5 to 3.75. The next steps lead to 3.984 and 4.000")
     says("(20, 0, -4)", "20 - 25 = -5")
 
@@ -166,6 +171,8 @@ def test_the_methods_compared():
     assert whole[close]["linear"] == max(whole[close].values()) < 1.1 * whole[close]["refined"]
     assert methods.NOISE == 0.5
     assert methods.TRIALS == 4000
+    assert 100 / np.sqrt(2 * methods.TRIALS) == about(1, 0)
+    says("Chance still moves the bars by about 1 %")
     says("24 cm off, whatever you do", "4000 tries each", "off by 0.5 px")
 
 
