@@ -45,18 +45,12 @@ def two_rays(yours: Any = None) -> Figure:
     sketch(ax)
     view = onlooker((6.5, -3.2, 2.6), (0.3, 3.0, -1.0), 760, (640, 400))
     ends = ORIGINS + DIRECTIONS * (LENGTH / DIRECTIONS[:, 2:])
-    roles = ("camera", "second")
-    for number, role in enumerate(roles):
+    for number, role in enumerate(("camera", "second")):
         _path(ax, view, [ORIGINS[number], ends[number]], role, lw=2.5)
         _spot(ax, view, ORIGINS[number], role, "s", 9)
     one, other = closest_points_on_rays(ORIGINS[0], DIRECTIONS[0], ORIGINS[1], DIRECTIONS[1])
     _path(ax, view, [one, other], "object", lw=2.5)
-    for end, way, along in ((one, other - one, 0), (other, one - other, 1)):
-        _right_angle(ax, view, end, way, -DIRECTIONS[along])
-    for number, role in enumerate(roles):
-        _arrow(ax, view, ORIGINS[number], DIRECTIONS[number], role)
-    for name, axis in zip("xyz", np.eye(3), strict=True):
-        _arrow(ax, view, CORNER, 0.6 * axis, "guide", f"${name}$")
+    _helps(ax, view, one, other)
     for point, role in ((one, "camera"), (other, "second")):
         _spot(ax, view, point, role, "o", 8)
     _named(ax, view, one, other)
@@ -88,6 +82,16 @@ def _named(ax: Axes, view: Camera, one: Floats, other: Floats) -> None:
     for at, text, role, (right, up) in names:
         u, v = view.project(UPRIGHT @ at)
         write(ax, (u + right, -v + up), text, role)
+
+
+def _helps(ax: Axes, view: Camera, one: Floats, other: Floats) -> None:
+    """Draw both right angles, the arrows of both directions, and those of x, y and z."""
+    for end, way, along in ((one, other - one, 0), (other, one - other, 1)):
+        _right_angle(ax, view, end, way, -DIRECTIONS[along])
+    for number, role in enumerate(("camera", "second")):
+        _arrow(ax, view, ORIGINS[number], DIRECTIONS[number], role)
+    for name, axis in zip("xyz", np.eye(3), strict=True):
+        _arrow(ax, view, CORNER, 0.6 * axis, "guide", f"${name}$")
 
 
 def _right_angle(ax: Axes, view: Camera, at: Floats, one: Floats, other: Floats) -> None:
