@@ -70,8 +70,8 @@ SOLVE_NORMAL_BLOCK = Exercise(
         ),
         Misconception(
             step.V_not_inverted,
-            "The better a point is held, the less it gives way. Is your V inverted, as a matrix? "
-            "(`1 / V` and `V**-1` take each number by itself.)",
+            "The better a point is held, the less it gives way. Is your V inverted, and as a "
+            "matrix, not each number by itself?",
             also=[
                 step.inverted_entry_by_entry,
                 step.inverted_entry_by_entry_everywhere,
@@ -117,7 +117,7 @@ SOLVE_NORMAL_BLOCK = Exercise(
         ),
         Misconception(
             step.inverse_times_entries,
-            "In Python `*` multiplies number by number. How is a matrix applied to a vector?",
+            "Your inverse is multiplied number by number. How is a matrix applied to a vector?",
         ),
         Misconception(
             step.not_transposed,
@@ -189,7 +189,7 @@ BUNDLE_ADJUST = Exercise(
         Misconception(
             wrong.every_step_kept,
             "A step that helps is right. Where do you stay after one that makes the error larger? "
-            "(And is the old error that of the old R, t and points?)",
+            "Is the old error that of the old R, t and points?",
             also=[wrong.overwritten, wrong.compared_with_a_mixture],
         ),
         Misconception(

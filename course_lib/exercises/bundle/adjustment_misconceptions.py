@@ -28,16 +28,17 @@ def stepped(
     block: Any, damp: Any = damped, cameras: float = 1, points: float = 1
 ) -> tuple[Any, Any, bool]:
     """Return where we were, where the step leads, and whether it helps."""
-    K, R, t, X, pixels, damping = block
+    _, R, t, X, _, damping = block
     blocks, error = once(start_of, *block[:5])
-
-    def moved(*_: Any) -> Any:
-        step, moves = bundle.solve_normal_block(*damp(blocks, damping))
-        there = bundle.move_block(R, t, X, cameras * step, points * moves)
-        return there, bundle.squared_error(K, *there, pixels)
-
-    there, reached = once(moved, damp.__qualname__, cameras, points, *block)
+    there, reached = once(moved_by, *damp(blocks, damping), cameras, points, *block[:5])
     return (R, t, X), there, reached < error
+
+
+def moved_by(U, W, V, g_c, g_p, cameras, points, K, R, t, X, pixels):
+    """Return where the step of some blocks leads, some share of it, and the error there."""
+    step, moves = bundle.solve_normal_block(U, W, V, g_c, g_p)
+    there = bundle.move_block(R, t, X, cameras * step, points * moves)
+    return there, bundle.squared_error(K, *there, pixels)
 
 
 def rightly_stepped(*block: Any) -> Any:

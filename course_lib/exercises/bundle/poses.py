@@ -88,7 +88,7 @@ RESECT_CAMERA = Exercise(
         ),
         Misconception(
             wrong.entries_multiplied,
-            "In Python `*` multiplies number by number. Which sign multiplies matrices?",
+            "U and Vᵀ are multiplied number by number. Which sign multiplies matrices?",
         ),
         Misconception(
             wrong.svd_of_all_four,
