@@ -18,8 +18,8 @@ def least_squares_explorer() -> Explorer:
     return Explorer(
         "Least squares by hand",
         [
-            Slider("m", "Slope", "m", "/kN", *SLOPES, 30, step=0.5, digits=1),
-            Slider("c", "Height at load zero", "c", "", *INTERCEPTS, 100, step=2),
+            Slider("m", "Slope", "m", "/kN", *SLOPES, 30, step=0.1, digits=1),
+            Slider("c", "Height at load zero", "c", "", *INTERCEPTS, 100, step=1),
             Switch("slipped", "One gauge slipped"),
             Switch("best", "Show the line of least squares"),
         ],

@@ -18,7 +18,7 @@ from course_lib.authoring.lesson import read_lesson
 from course_lib.exercises import CHAPTERS
 
 #: Where the second sitting begins in lessons that have no heading for it.
-FIRST_SECTIONS = {"01_pinhole": "## 7 ", "02_homogeneous": "## 7 ", "06_estimation": "## 5 "}
+FIRST_SECTIONS = {"01_pinhole": "## 7 ", "02_homogeneous": "## 7 ", "06_estimation": "## 4 "}
 LESSONS = {
     path.stem: path
     for path in find_lessons(Path(__file__).parents[2])

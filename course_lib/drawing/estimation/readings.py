@@ -95,6 +95,37 @@ def shadows() -> Figure:
     return fig
 
 
+@figure(
+    "A matrix takes the circle of all vectors of length one to an ellipse with a shortest axis."
+)
+def circle_to_ellipse() -> Figure:
+    """Show which vector of length one a matrix shrinks most.
+
+    Returns
+    -------
+    Figure
+        Left: the circle. Right: the ellipse that the matrix makes of it, drawn to the same scale.
+    """
+    A = np.array([[2.0, 1], [1, 2]])
+    turn = np.linspace(0, 2 * np.pi, 121)
+    circle = np.stack([np.cos(turn), np.sin(turn)])
+    shortest, longest = np.array([1, -1]) / np.sqrt(2), np.array([1, 1]) / np.sqrt(2)
+    fig, axes = panels(1, 2, (FULL_WIDTH, 3.3))
+    for ax, matrix, title in zip(
+        axes, (np.eye(2), A), ("all vectors of length one", "what A makes of them"), strict=True
+    ):
+        ax.plot(*(matrix @ circle), color=ROLES["ray"], lw=2)
+        for way, role in ((longest, "guide"), (shortest, "object")):
+            tip = matrix @ way
+            arrow = {"arrowstyle": "-|>", "color": ROLES[role], "lw": 2.5, "shrinkA": 0}
+            ax.annotate("", xy=tuple(tip), xytext=(0, 0), arrowprops={**arrow, "shrinkB": 0})
+        ax.set(title=title, xlim=(-2.8, 2.8), ylim=(-2.6, 2.6), aspect="equal")
+    write(axes[0], (0.85, -1.05), "last row of Vᵀ", "object", ha="left")
+    write(axes[1], (0.85, -1.05), "shortest: 1", "object", ha="left")
+    write(axes[1], (1.0, 1.95), "longest: 3", "guide", ha="right")
+    return fig
+
+
 def _shadow(ax: Axes, A: Floats, b: Floats) -> None:
     """Draw b, the space of all A x, and the foot of b in it."""
     view = onlooker((6.4, -7.4, 4.2), (0.75, 0.35, 0.9), 1250)
