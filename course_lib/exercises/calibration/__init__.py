@@ -6,13 +6,13 @@ from course_lib.exercises.calibration.closed_form import (
     INTRINSICS_FROM_HOMOGRAPHIES,
     POSE_FROM_HOMOGRAPHY,
 )
+from course_lib.exercises.calibration.distortion import INITIAL_DISTORTION
 from course_lib.exercises.calibration.judgement import (
     EXPLAIN_SMALL_RMS,
     PARAMETER_COVARIANCE,
     REJECT_VIEWS,
 )
 from course_lib.exercises.calibration.refinement import (
-    INITIAL_DISTORTION,
     REFINE_CALIBRATION,
     REPROJECTION_RESIDUALS,
     RMS_ERROR,

@@ -39,6 +39,11 @@ BOARD_POINTS = Exercise(
             "Are inner corners asked for, where four squares meet, or all corners of squares?",
         ),
         Misconception(
+            wrong.last_row_and_column_left_out,
+            "The inner corners are counted already. Which is the last number of `range(9)`?",
+            also=[wrong.last_column_left_out, wrong.last_row_left_out],
+        ),
+        Misconception(
             wrong.first_corner_at_one,
             "Where is the origin of the board's frame: at your first corner?",
         ),
@@ -141,10 +146,38 @@ INTRINSICS_FROM_HOMOGRAPHIES = Exercise(
             "This is B, and symmetric. Which triangular matrix is inside it?",
         ),
         Misconception(
+            wrong.scaled_by_the_first,
+            "Which entry of K is 1: the first one, or the last one?",
+        ),
+        Misconception(
+            wrong.mixed_entries_halved,
+            "B12 stands in B twice, but the equations know that. Does an entry of b change on its "
+            "way into B?",
+            also=[wrong.mixed_entries_doubled],
+        ),
+        Misconception(
+            wrong.upper_triangle_only,
+            "B is symmetric. What stands below its diagonal in yours?",
+        ),
+        Misconception(
+            wrong.signs_of_B_lost,
+            "B has negative entries, and needs them. If b has the wrong sign, what do you change: "
+            "all signs, or only the negative ones?",
+        ),
+        Misconception(
+            wrong.skew_set_to_zero,
+            "Right, if there is no skew. Who says that there is none?",
+        ),
+        Misconception(
             wrong.order_of_b_mixed_up,
-            "Cholesky finds no factor. Does b belong to the smallest singular value, is B11 "
-            "positive, and where in B does the third number of b go?",
-            also=[wrong.largest_singular_value, wrong.column_of_the_last_factor],
+            "Cholesky finds no factor. Has your table two rows a view and six columns? Is it zero "
+            "times b? Is B11 positive? Where in B does the third of b go?",
+            also=[
+                wrong.largest_singular_value,
+                wrong.column_of_the_last_factor,
+                wrong.last_view_only,
+                wrong.rows_side_by_side,
+            ],
         ),
         Misconception(
             wrong.rows_not_below_each_other,
@@ -208,6 +241,26 @@ POSE_FROM_HOMOGRAPHY = Exercise(
         Misconception(
             pose.t_scaled_by_r1,
             "With noise r1 and r2 are not equally long. Which length does the task ask for?",
+            also=[pose.geometric_mean, pose.quadratic_mean],
+        ),
+        Misconception(
+            pose.rows_for_columns,
+            "r1 and r2 are columns. Which axis does your length run along?",
+        ),
+        Misconception(
+            pose.each_made_one_before_the_rotation,
+            "Nearly right. Does the nearest rotation have to be near to columns that are mended "
+            "already? Divide all by one length.",
+            also=[pose.each_made_one_and_t_by_the_mean],
+        ),
+        Misconception(
+            pose.multiplied_number_by_number,
+            "Your third axis is r1 times r2, number by number. Which product of two directions is "
+            "perpendicular to both?",
+        ),
+        Misconception(
+            pose.factors_number_by_number,
+            "U and Vᵀ are matrices. Does your sign multiply matrices, or number by number?",
         ),
         Misconception(
             pose.mirrored,

@@ -29,6 +29,18 @@ def squares_counted(columns, rows, square):
     return grid(columns + 1, rows + 1) * square
 
 
+def last_row_and_column_left_out(columns, rows, square):
+    return grid(columns - 1, rows - 1) * square
+
+
+def last_column_left_out(columns, rows, square):
+    return grid(columns - 1, rows) * square
+
+
+def last_row_left_out(columns, rows, square):
+    return grid(columns, rows - 1) * square
+
+
 def first_corner_at_one(columns, rows, square):
     return (grid(columns, rows) + np.array([1, 1, 0])) * square
 
@@ -158,6 +170,43 @@ def inverse_left_out(Hs):
 
 def inverse_and_scale_left_out(Hs):
     return np.linalg.cholesky(matrix(null_vector(Hs))).T
+
+
+def scaled_by_the_first(Hs):
+    K = np.linalg.inv(np.linalg.cholesky(matrix(null_vector(Hs))).T)
+    return K / K[0, 0]
+
+
+def mixed_entries_halved(Hs):
+    B = matrix(null_vector(Hs))
+    return factor(B + np.diag(np.diag(B)))  # twice the diagonal: the same up to scale
+
+
+def mixed_entries_doubled(Hs):
+    B = matrix(null_vector(Hs))
+    return factor(2 * B - np.diag(np.diag(B)))
+
+
+def upper_triangle_only(Hs):
+    return factor(np.triu(matrix(null_vector(Hs))))
+
+
+def signs_of_B_lost(Hs):
+    return factor(np.abs(matrix(null_vector(Hs))))
+
+
+def skew_set_to_zero(Hs):
+    K = factor(matrix(null_vector(Hs)))
+    return K * [[1, 0, 1], [0, 1, 1], [0, 0, 1]]
+
+
+def last_view_only(Hs):
+    return factor(matrix(null_vector(Hs[-1:])))
+
+
+def rows_side_by_side(Hs):
+    b = np.linalg.svd(np.hstack(all_rows(Hs).reshape(-1, 2, 6)))[2][-1][:6]
+    return factor(matrix(b if b[0] > 0 else -b))
 
 
 def lower_triangle(Hs):

@@ -34,6 +34,23 @@ def powers_squared(ideal, observed, K):
     return solved(design(ideal, K, 4, 8), observed - ideal)
 
 
+def doubled_for_squared(ideal, observed, K):
+    offset = ideal - K[:2, 2]
+    r2 = ((offset / [K[0, 0], K[1, 1]]) ** 2).sum(axis=1, keepdims=True)
+    A = np.stack([offset * r2, offset * r2 * 2], axis=-1)
+    return solved(A, observed - ideal)
+
+
+def powers_alone(ideal, observed, K):
+    r = np.hypot(*((ideal - K[:2, 2]) / [K[0, 0], K[1, 1]]).T)[:, None] * np.ones(2)
+    return solved(np.stack([r**2, r**4], axis=-1), observed - ideal)
+
+
+def pixels_for_offsets(ideal, observed, K):
+    r = np.hypot(*((ideal - K[:2, 2]) / [K[0, 0], K[1, 1]]).T)[:, None]
+    return solved(np.stack([ideal * r**2, ideal * r**4], axis=-1), observed - ideal)
+
+
 def powers_two_and_three(ideal, observed, K):
     return solved(design(ideal, K, 2, 3), observed - ideal)
 

@@ -64,6 +64,15 @@ REJECT_VIEWS = Exercise(
             ],
         ),
         Misconception(
+            wrong.one_error_for_all,
+            "`rms_error` takes one view. Handed the whole stack, it gives one number. How many "
+            "errors do you need, and how do you get them from it one by one?",
+        ),
+        Misconception(
+            wrong.each_against_itself,
+            "You keep every view. Should the median be that of all views, or of a single one?",
+        ),
+        Misconception(
             wrong.squares_compared,
             "Is it errors that you compare, or their squares? Where is the root?",
         ),
@@ -98,6 +107,7 @@ PARAMETER_COVARIANCE = Exercise(
         Misconception(
             wrong.divided_by_points,
             "You count points. How many residuals does a point give?",
+            also=[wrong.points_without_parameters],
         ),
         Misconception(
             wrong.residuals_left_out,
@@ -115,6 +125,11 @@ PARAMETER_COVARIANCE = Exercise(
         Misconception(
             wrong.roots_of_the_diagonal,
             "These are standard deviations. Which matrix did you take them from?",
+        ),
+        Misconception(
+            wrong.variances_only,
+            "The variances are right. Where have the other entries of the matrix gone?",
+            also=[wrong.variances_in_a_row],
         ),
         Misconception(
             wrong.diagonal_inverted_only,

@@ -28,6 +28,20 @@ def mean_and_deviation(residuals, limit):
     return rms <= rms.mean() + limit * rms.std()
 
 
+def stack(residuals: Any) -> Any:
+    """Return what the RMS of one view makes of the whole stack."""
+    return np.sqrt((residuals**2).sum(axis=1).mean())
+
+
+def one_error_for_all(residuals, limit):
+    return stack(residuals) <= limit * np.median(stack(residuals))
+
+
+def each_against_itself(residuals, limit):
+    rms = [stack(view) for view in residuals]
+    return np.array([value <= limit * np.median(value) for value in rms])
+
+
 def limit_in_pixels(residuals, limit):
     return view_rms(residuals) <= limit
 
@@ -126,6 +140,21 @@ def sum_squared(J, residuals):
 
 def divided_by_points(J, residuals):
     return variance_with(J, residuals, len(residuals) / 2)
+
+
+def points_without_parameters(J, residuals):
+    m, n = J.shape
+    return variance_with(J, residuals, m / 2 - n)
+
+
+def variances_only(J, residuals):
+    m, n = J.shape
+    return np.diag(np.diag(variance_with(J, residuals, m - n)))
+
+
+def variances_in_a_row(J, residuals):
+    m, n = J.shape
+    return np.diag(variance_with(J, residuals, m - n))
 
 
 def residuals_left_out(J, residuals):

@@ -74,6 +74,53 @@ def t_scaled_by_r1(K, H):
     return nearest_rotation(M), M[:, 2] / np.linalg.norm(M[:, 0])
 
 
+def scaled_by(M: Any, length: Any) -> Any:
+    M = M / length
+    return -M if M[2, 2] < 0 else M
+
+
+def geometric_mean(K, H):
+    M = np.linalg.inv(K) @ H
+    M = scaled_by(M, np.sqrt(np.linalg.norm(M[:, 0]) * np.linalg.norm(M[:, 1])))
+    return nearest_rotation(M), M[:, 2]
+
+
+def quadratic_mean(K, H):
+    M = np.linalg.inv(K) @ H
+    M = scaled_by(M, np.linalg.norm(M[:, :2]) / np.sqrt(2))
+    return nearest_rotation(M), M[:, 2]
+
+
+def rows_for_columns(K, H):
+    M = np.linalg.inv(K) @ H
+    M = scaled_by(M, np.linalg.norm(M, axis=1)[:2].mean())
+    return nearest_rotation(M), M[:, 2]
+
+
+def each_made_one_before_the_rotation(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    lengths = np.linalg.norm(M, axis=0)
+    return nearest_rotation(M / lengths), M[:, 2] / lengths[0]
+
+
+def each_made_one_and_t_by_the_mean(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    return nearest_rotation(M / np.linalg.norm(M, axis=0)), M[:, 2]
+
+
+def multiplied_number_by_number(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    r1, r2, t = M.T
+    U, _, Vt = np.linalg.svd(np.column_stack([r1, r2, r1 * r2]))
+    return U @ Vt, t
+
+
+def factors_number_by_number(K, H):
+    M = scaled(np.linalg.inv(K) @ H)
+    U, _, Vt = np.linalg.svd(np.column_stack([M[:, 0], M[:, 1], np.cross(M[:, 0], M[:, 1])]))
+    return U * Vt, M[:, 2]
+
+
 def mirrored(K, H):
     M = scaled(np.linalg.inv(K) @ H)
     r1, r2, t = M.T

@@ -126,6 +126,36 @@ def moved_before_turned(points, pixels, K, R, t, k):
     return pixels_of(points + t, K, R, np.zeros(3), k) - pixels
 
 
+def translation_left_out(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, np.zeros(3), k) - pixels
+
+
+def v_before_u(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, t, k)[:, ::-1] - pixels
+
+
+def principal_point_swapped(points, pixels, K, R, t, k):
+    return pixels_of(points, K, R, t, k) - K[:2, 2] + K[:2, 2][::-1] - pixels
+
+
+def still_normalised(points, pixels, K, R, t, k):
+    X = points @ R.T + t
+    return bent(X[:, :2] / X[:, 2:], k) - pixels
+
+
+def only_moved_to_the_centre(points, pixels, K, R, t, k):
+    X = points @ R.T + t
+    return bent(X[:, :2] / X[:, 2:], k) + K[:2, 2] - pixels
+
+
+def all_in_one_row(points, pixels, K, R, t, k):
+    return (pixels_of(points, K, R, t, k) - pixels).ravel()
+
+
+def columns_for_rows(points, pixels, K, R, t, k):
+    return (pixels_of(points, K, R, t, k) - pixels).T
+
+
 def half_a_pixel_off(points, pixels, K, R, t, k):
     return pixels_of(points, K, R, t, k) + 0.5 - pixels
 
@@ -230,6 +260,16 @@ def ones_on_the_diagonal(parameters, residuals, J, damping):
 
 def row_added_to_the_matrix(parameters, residuals, J, damping):
     return parameters + step_with(J, residuals, damping * np.diag(J.T @ J))
+
+
+def residuals_for_parameters(parameters, residuals, J, damping):
+    N = J @ J.T
+    return parameters + np.linalg.solve(N + damping * np.diag(np.diag(N)), -J.T @ residuals)
+
+
+def residuals_for_parameters_undamped(parameters, residuals, J, damping):
+    N = J @ J.T
+    return parameters + np.linalg.solve(N + damping * np.diag(np.diag(N)), -J @ residuals)
 
 
 def all_entries_damped(parameters, residuals, J, damping):
