@@ -9,11 +9,10 @@ import numpy as np
 
 def derivatives(point: Any, cameras: Any) -> Any:
     """Return the right J."""
-    rows = []
-    for P in cameras:
-        a = P @ np.append(point, 1)
-        rows.extend((P[:2, :3] - (a[:2] / a[2])[:, None] * P[2, :3]) / a[2])
-    return np.array(rows)
+    a = cameras[:, :, :3] @ point + cameras[:, :, 3]
+    seen = a[:, :2] / a[:, 2:]
+    J = (cameras[:, :2, :3] - seen[..., None] * cameras[:, 2:, :3]) / a[:, 2:, None]
+    return J.reshape(-1, 3)
 
 
 def inverted(J: Any) -> Any:

