@@ -94,7 +94,7 @@ def _numbers(
         Readout("Speed", "v", f"{speed:.1f}", "m/s"),
         Readout("Time in the air", "", f"{plan.duration(speed, TURN) / 60:.1f}", "min"),
         Readout("Area in fewer than 3 pictures", "", f"{few:.0f}", "%"),
-        Readout("Fewest pictures of a place", "", f"{inside.min() if inside.size else 0}"),
+        Readout("Fewest pictures of a place", "", f"{inside.min()}" if inside.size else "–"),
         Readout("GSD on the lowest ground", "", f"{100 * floor:.2f}", "cm"),
     )
 

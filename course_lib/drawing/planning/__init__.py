@@ -11,7 +11,7 @@ from course_lib.drawing.planning.choosing import (
 )
 from course_lib.drawing.planning.flying import flight_map, hidden, overlaps, smallest_object
 from course_lib.drawing.planning.panel import BOX, TASK, pair, stand
-from course_lib.drawing.planning.rig import box_in_picture, chosen, failures, rig
+from course_lib.drawing.planning.shaker import box_in_picture, chosen, failures, rig
 from course_lib.drawing.planning.site import AREA, counts, drone, flight, ground, in_area
 
 __all__ = [

@@ -57,7 +57,7 @@ def rig() -> Figure:
     write(ax, (u + 12, v - 16), "box: 600 × 60 × 500 mm", "object", ha="left")
     write(ax, view.project((0.16, 0, -0.36)), "panel, shaken up and down", ha="left")
     middle = view.project(0.5 * pair(DISTANCE, TURN, N, TIME)[0].eye)
-    write(ax, np.add(middle, (14, 12)), "2.2 m", "ray", ha="left")
+    write(ax, np.add(middle, (14, 12)), "2.2 m", color="#8A5F00", ha="left")
     ax.set(xlim=(20, 920), ylim=(425, 45), aspect="equal")
     ax.axis("off")
     return fig

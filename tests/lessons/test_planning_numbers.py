@@ -1,0 +1,318 @@
+"""The numbers that the text of chapter 11 states are those that the library computes."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from lesson_text import lesson_text
+
+from course_lib.drawing import planning as draw
+from course_lib.drawing.explorers.setup_planner import setup_frame
+from course_lib.drawing.planning import choosing, shaker, site
+from course_lib.drawing.planning.panel import AMPLITUDE, FREQUENCY, PHANTOM, ZEISS, overview
+from course_lib.exercises import all_exercises
+from course_lib.exercises.planning import plain
+from course_lib.exercises.planning.plain_setup import plan_setup
+from course_lib.planning import (
+    aperture_window,
+    box_in_view,
+    depth_range,
+    ground_sample_distance,
+    judge_setup,
+    photo_count,
+    read_cameras,
+    read_lenses,
+)
+from course_lib.widgets.planning import flight_planner
+
+TEXT = lesson_text("11_planning")
+says = TEXT.says
+TABLE = {v.name: v for v in draw.compared()[0][1]}
+FLIGHT = draw.flight()
+
+
+def about(value, digits):
+    """Return what agrees with a printed number of so many decimals."""
+    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
+
+
+def test_points_of_all_exercises():
+    exercises = all_exercises("planning")
+    says(f"**Points:** {sum(exercise.points for exercise in exercises)}.")
+    graded = [f"\n{e.name}\n" for e in exercises if "explain" not in e.name]
+    assert sorted(graded, key=TEXT.index) == graded
+    assert len(graded) == 9
+    (explain,) = (e for e in exercises if "explain" in e.name)
+    says(f"({explain.points} points, read by a person)", f'"{explain.name}"')
+
+
+# First sitting
+
+
+def test_the_demands():
+    task = draw.TASK
+    assert task.box.size.tolist() == [0.6, 0.06, 0.5]
+    assert (task.resolution, task.motion, task.blur_px) == (0.0004, 0.003, 1.5)
+    assert (task.frame_rate, task.sigma, task.exposure_at_f1) == (1000, 0.0001, 2e-6)
+    assert (AMPLITUDE, FREQUENCY) == (0.003, 100)
+    assert task.speed == about(1.88, 2)
+    assert pytest.approx(15) == 6 / 0.4
+    says("600 × 60 × 500 mm", "0.4 mm or less", "= 1.88", "2 µs at f/1", "15 px wide")
+    camera = read_cameras()[PHANTOM]
+    assert camera.image_size == (2048, 1920)
+    assert (camera.pitch_um, camera.frame_rate) == (13.5, 6600)
+    assert camera.sensor_size[0] == about(27.65, 2)
+    says("2048 × 1920 pixels of 13.5 µm", "This camera does 6600")
+
+
+def test_the_first_guess_of_the_distance():
+    width = read_cameras()[PHANTOM].sensor_size[0]
+    assert 606 * 85 / width == about(1863, 0)
+    says("Z = 1863")
+
+
+def test_the_worked_box():
+    P = np.array([[1000, 0, 319.5, 639], [0, 1000, 239.5, 479], [0, 0, 1, 2]])
+    size, middle = np.array([1, 0.5, 0.4]), np.zeros(3)
+    room = plain.box_in_view(size, middle, np.zeros(3), P, (640, 480))
+    assert room[1] == about(42.2, 1)
+    moved = plain.box_in_view(size, middle, np.array([0.1, 0, 0]), P, (640, 480))
+    assert moved[1] == about(-13.3, 1)
+    says("597.3", "$639.5 - 597.3 = 42.2$", "652.8", "by 13.3 px")
+
+
+def test_the_chosen_camera():
+    setup = draw.chosen()
+    assert (shaker.DISTANCE, np.degrees(shaker.TURN), shaker.N, shaker.TIME) == (
+        2.2,
+        pytest.approx(15),
+        10,
+        1 / 4000,
+    )
+    seen = box_in_view(draw.BOX.with_motion(draw.TASK.motion), setup.view)
+    assert seen.inside
+    assert seen.margins.argmin() == 1  # on the right, as the text says
+    assert seen.margins.min() == about(108, 0)
+    says("| 108 px |")
+
+
+def test_what_a_pixel_covers():
+    finest, coarsest = plain.object_resolution(2, 50, 5, np.radians(60))
+    assert (finest, coarsest) == (pytest.approx(0.0002), pytest.approx(0.0004))
+    fine, tilted = plain.object_resolution(2.2, 85, 13.5, np.radians(15))
+    assert 1000 * tilted == about(0.362, 3)
+    assert 1000 * plain.object_resolution(2.2, 85, 13.5, np.radians(30))[1] == about(0.403, 3)
+    assert fine < tilted < draw.TASK.resolution
+    assert TABLE["resolution"].value == about(0.378, 3)
+    says("At 15° yes, with 0.362 mm, and at 30° no, with 0.403 mm", "there it is 0.378 mm")
+
+
+def test_the_aperture_windows():
+    least, most = plain.aperture_window(50, 0.95, 1.05, 10, 0.55)
+    assert (least, most) == (about(13.2, 1), about(7.1, 1))
+    assert 2 * 950 * 1050 / 2000 == 997.5
+    assert about(0.0528, 4) == 50 / 947.5
+    near, far = depth_range(draw.BOX, draw.chosen().view)
+    assert (near, far) == (about(2.093, 3), about(2.307, 3))
+    least, most = plain.aperture_window(85, 2.093, 2.307, 20.25, 0.55)
+    assert (least, most) == (about(8.2, 1), about(14.5, 1))
+    assert 1.5 * 13.5 == 20.25
+    window = aperture_window(85, near, far, 20.25)
+    assert window.focus_distance == about(2.195, 3)
+    assert read_lenses()[ZEISS].closest == 0.8
+    says("From f/8.2 to f/14.5", "$s = 2.195$ m", "begins at 0.8 m", "$Z = 2.093$ m to $Z = 2.307$")
+
+
+def test_smear_and_light():
+    assert TABLE["motion blur"].value == about(1.47, 2)
+    assert about(0.000320, 6) == 2.093 * 13.5e-6 / 0.085 * (2.2 - 0.085) / 2.2
+    assert TABLE["light"].limit == pytest.approx(200)
+    assert np.sqrt(250 / 2) == about(11.2, 1)
+    says("= 1.47", "200\\ \\text{µs}", "= 11.2$", "0.000320")
+
+
+def test_what_the_demands_leave():
+    turns = np.linspace(5, 30, 126)
+    found = np.array([draw.limits(np.radians(t)) for t in turns])
+    assert turns[found[:, 3] <= draw.TASK.sigma].min() == about(14.4, 1)
+    assert turns[found[:, 4] <= draw.TASK.resolution].max() == pytest.approx(20.8, abs=0.21)
+    between = found[(turns > 14.4) & (turns < 20.8)]
+    assert (between[:, 0] < between[:, 2]).all()
+    assert (between[:, 2] < between[:, 1]).all()
+    says("less than 14.4°", "From 20.8° on")
+
+
+def test_the_set_ups_compared():
+    good, turned, short, photographer, small = (
+        {v.name: v for v in verdicts} for _, verdicts in draw.compared()
+    )
+    missed = [[n for n, v in d.items() if not v.met] for d in (good, turned, short)]
+    assert missed[0] == []
+    assert {"resolution", "depth of field"} <= set(missed[1])
+    assert turned["expected σ"].value < 0.55 * good["expected σ"].value
+    assert short["in view"].value == about(169, 0)
+    assert short["resolution"].value == about(0.43, 2)
+    says("would double the precision", "(169 px)", "cover 0.43 mm", "45 million pixels")
+    width, height = read_cameras()["Nikon D850"].image_size
+    assert width * height == pytest.approx(45e6, rel=0.02)
+    assert not photographer["depth of field"].met
+    assert not photographer["diffraction"].met
+    assert "No f-number" in photographer["depth of field"].remedy
+    assert photographer["frame rate"].value == 7
+    assert small["frame rate"].value == 80
+    assert small["depth of field"].met
+
+
+def verdicts_of(**changes):
+    setting = {
+        "camera": "Phantom v2640",
+        "lens": ZEISS,
+        "Z": 2.2,
+        "turn_deg": 15,
+        "N": 10,
+        "t": 250,
+    }
+    table = setup_frame(**setting | changes).pictures[2]
+    rows = [label.text for label in table.labels]
+    missed = [rows[i + 1] for i, text in enumerate(rows) if text == "✗"]
+    return missed, dict(pairwise(rows)), rows
+
+
+def test_what_the_set_up_planner_shows():
+    missed, number, _ = verdicts_of(N=5.6)
+    assert missed == ["depth of field"]
+    assert (number["depth of field"], number["diffraction"]) == ("2.2 px", "0.579 px")
+    assert verdicts_of()[1]["depth of field"] == "1.23 px"
+    assert about(63, 0) == 2 * 5.6**2
+    says("spots of 2.2 px at the ends, instead of 1.2 px", "(0.58 px)", "only 63 µs")
+    missed, _, rows = verdicts_of(t=125)
+    assert missed == ["light"]
+    assert "Open to f/7.9, or bring more lamps." in rows
+    short = {"lens": "Nikkor AF-S 50 mm f/1.8G", "Z": 1.25}
+    assert verdicts_of(**short, t=200)[0] == []
+    assert verdicts_of(**short, t=250)[0] == ["motion blur"]
+    says("from 1.25 m, with ± 15°, f/10 and 200 µs")
+    cameras, lenses = read_cameras(), read_lenses()
+    one = draw.stand(cameras[PHANTOM], lenses[short["lens"]], 1.25, shaker.TURN, 10, 2e-4)
+    longest = 200 * 1.5 / judge_setup(one, draw.TASK)[5].value
+    assert longest == about(236, 0)
+    assert np.sqrt(longest / 2) == about(10.9, 1)
+    assert aperture_window(50, *depth_range(draw.BOX, one.view), 20.25).least == about(8.8, 1)
+    says("it begins at f/8.8, and 236 µs allow f/10.9")
+
+
+# Second sitting
+
+
+def test_ground_sampling_distances():
+    assert plain.ground_sample_distance(100, 8.8, 2.41) == about(0.0274, 4)
+    camera, lens = draw.drone()
+    assert (camera.pitch_um, lens.f_mm, camera.image_size) == (2.41, 8.8, (5472, 3648))
+    assert about(73, 0) == FLIGHT.H
+    assert float(ground_sample_distance(93, 8.8, 2.41)) == about(0.025, 3)
+    assert (site.DEPTH, site.TOP) == (20, 14)
+    says("the pit is 20 m deep, and has a heap of 14 m", "On the floor of the pit it is 2.5 cm")
+
+
+def test_overlaps():
+    width, depth = (0.02 * n for n in draw.drone()[0].image_size)
+    assert (width, depth) == (about(109.4, 1), about(73.0, 1))
+    assert plain.base_for_overlap(0.8, depth) == about(14.6, 1)
+    assert plain.base_for_overlap(0.6, width) == about(43.8, 1)
+    assert plain.base_for_overlap(2 / 3, 1) == pytest.approx(1 / 3)
+    assert plain.overlap(14.592, 72.96 * 59.03 / 73.03) == about(0.75, 2)
+    assert plain.overlap(14.592, 72.96 * 93.03 / 73.03) == about(0.84, 2)
+    says("80 % become 75 %, and in the pit 84 %", "**67 %**", "**80 %**", "109.4 × 73.0 m")
+
+
+def test_speeds():
+    assert plain.max_speed(18, 2, 0.02, 1 / 1000, 0.5) == pytest.approx(9)
+    assert plain.max_speed(18, 2, 0.02, 1 / 500, 0.5) == pytest.approx(5)
+    sun = plain.max_speed(14.592, 2.5, 0.02, 1 / 1000, 0.5)
+    assert sun == about(5.8, 1)
+    assert sun == pytest.approx(14.592 / 2.5)  # the pictures decide
+    assert plain.max_speed(14.592, 2.5, 0.02, 1 / 250, 0.5) == pytest.approx(2.5)
+    assert 1 / draw.drone()[0].frame_rate == 2.5
+    says("| 5.8 m/s |", "needs 2.5 s from picture to picture")
+
+
+def test_counts():
+    assert plain.photo_count(500, 300, 18, 36, 110) == (29, 7)
+    assert 29 * 7 == 203
+    assert photo_count(240, 180, 14.592, 43.776, 109.44) == (18, 3)
+    assert np.bincount(FLIGHT.strips).tolist() == [18, 18, 18]
+    seen = draw.counts(FLIGHT)[draw.in_area(draw.AREA)]
+    assert seen.min() == 4
+    middle = np.hypot(*(site.grid()[draw.in_area(draw.AREA), :2] - [150, 115]).T) < 40
+    assert seen[middle].min() >= 9
+    says("18 pictures in each of 3 lines", "never fewer than 4")
+
+
+def test_what_the_edge_hides():
+    assert about(14.8, 1) == 54 * 20 / 73
+    wall = site.WALL * site.HALF_AXES[0] / min(site.HALF_AXES)
+    assert wall == about(3.6, 1)
+    assert 54 * 20 / FLIGHT.H - wall == about(11, 0)
+    assert wall > 6 * 20 / FLIGHT.H  # from C nothing is hidden
+    says("$54\\cdot 20/73 = 14.8$ m", "takes 3.6 m of it", "11 m wide")
+
+
+def numbers(**changes):
+    planner = flight_planner()
+    frame = planner._frame(**planner.state | changes)
+    return {r.label: r.value for r in frame.readouts}
+
+
+def test_what_the_flight_planner_shows():
+    few, least = "Area in fewer than 3 pictures", "Fewest pictures of a place"
+    assert numbers(forward=60, side=30)[few] == "34"
+    assert numbers(forward=60, side=30, hilly=False)[few] == "44"
+    assert [numbers(forward=f, side=30)[least] for f in (68, 70, 72, 74, 76)] == ["2"] * 4 + ["3"]
+    flat = [numbers(forward=f, side=30, hilly=False)[least] for f in (66, 68)]
+    assert flat == ["2", "3"]
+    says("1. 34 % of the area; on flat ground 44 %.", "2. 76 %. (On flat ground 68 %")
+    assert (numbers()["Pictures"], numbers()["Time in the air"]) == ("54 in 3 lines", "2.5")
+    fine = numbers(gsd=1)
+    assert (fine["Pictures"], fine["Time in the air"]) == ("238 in 7 lines", "10.9")
+    says("238 pictures instead of 54, in 7 lines instead of 3", "10.9 minutes instead of 2.5")
+    narrow = {"x1": 30, "y1": 80, "x2": 270, "y2": 80, "x3": 270, "y3": 140, "x4": 30, "y4": 140}
+    along, across = numbers(**narrow), numbers(**narrow, heading=0)
+    assert (along["Pictures"], along["Time in the air"]) == ("18 in 1 line", "0.7")
+    assert (across["Pictures"], across["Time in the air"]) == ("24 in 4 lines", "1.5")
+    says("one line of 18 pictures takes 0.7 minutes; across, 4 lines of 6 take 1.5")
+
+
+def test_the_worked_plan():
+    task = {"width": 0.4, "height": 0.3, "depth": 0.05, "motion": 0.01, "speed": 0.1}
+    task |= {"resolution": 4e-4, "blur_px": 2, "frame_rate": 50, "stand_off": 0.5}
+    task |= {"exposure_at_f1": 1e-4}
+    cameras = [{"width": 1280, "height": 1024, "pitch_um": 5, "frame_rate": 100}]
+    lenses = [{"f_mm": 12, "N_least": 1.4, "N_most": 16, "closest": 0.1}]
+    plan = plan_setup(task, cameras, lenses)
+    assert plan["distance"] == pytest.approx(0.8125)
+    near, far = 0.42 * 12 / 6.4, 0.42 * 12 / 6.4 + 0.05
+    assert (near, far, 0.32 * 12 / 5.12) == pytest.approx((0.7875, 0.8375, 0.75))
+    assert far * 5 / 12 == about(0.35, 2)
+    assert near * 5 / 12 == about(0.328, 3)
+    assert plan["exposure_time"] == about(0.0066, 4)
+    window = aperture_window(12, near, far, 10)
+    assert (window.least, window.most) == (about(0.6, 1), about(7.3, 1))
+    assert np.sqrt(6.56 / 0.1) == about(8.1, 1)
+    says("f/0.6 to f/7.3", "0.7875 m (the height asks for 0.75 m only)", "= 8.1", "0.8125 m")
+
+
+def test_the_small_catalogue_has_a_set_up_for_the_panel():
+    task, cameras, lenses = draw.panel_task()
+    plan = plan_setup(task, cameras, lenses)
+    assert cameras[plan["camera"]]["frame_rate"] >= 1000
+
+
+def test_a_small_picture_shows_what_the_large_one_does():
+    setup = draw.chosen()
+    small, picture = overview(setup, 512)
+    assert picture.shape[1] == 512
+    scale = 512 / 2048
+    corners = draw.BOX.corners
+    large = setup.view.project(corners)
+    np.testing.assert_allclose(small.project(corners) + 0.5, scale * (large + 0.5), atol=0.05)
+    assert choosing.COMPARED[0][2:4] == (2.2, 15)
