@@ -1,7 +1,8 @@
 """Residuals of a block and their derivatives.
 
-With ``q = R (X - C)``, a camera that turns by a small w and moves by c, and a point that moves by
-p, ``dq = w × q + R (p - c)``: the derivatives by the centre are those by the point, negative.
+With ``q = R (X - C)``, an R that is followed by a small turn w of all that the camera sees (itself
+it turns by -w), a centre that moves by c, and a point that moves by p, ``dq = w × q + R (p - c)``:
+the derivatives by the centre are those by the point, negative.
 """
 
 from __future__ import annotations

@@ -131,8 +131,8 @@ def move_block(
     points : array_like, shape (n, 3)
         Points of the world.
     cameras : array_like, shape (6 v,)
-        For each camera a turn w about its own axes, ``R → exp([w]ₓ) R``, rad, and a move of its
-        centre: what `solve_normal_block` gives.
+        For each camera a turn w of all that it sees, ``R → exp([w]ₓ) R``, rad (it turns itself by
+        -w), and a move of its centre: what `solve_normal_block` gives.
     moves : array_like, shape (n, 3)
         Of the points.
 
