@@ -122,7 +122,7 @@ def circle_to_ellipse() -> Figure:
         ax.set(title=title, xlim=(-2.8, 2.8), ylim=(-2.6, 2.6), aspect="equal")
     write(axes[0], (0.85, -1.05), "last row of Vᵀ", "object", ha="left")
     write(axes[1], (0.85, -1.05), "shortest: 1", "object", ha="left")
-    write(axes[1], (1.0, 1.95), "longest: 3", "guide", ha="right")
+    write(axes[1], (0.5, 2.0), "longest: 3", "guide", ha="right")
     return fig
 
 

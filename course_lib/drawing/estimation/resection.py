@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from course_lib.camera.projection import project
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
 from course_lib.drawing.estimation.table import SIGMA
-from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, ROLES
+from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, LIGHT, ROLES
 from course_lib.homogeneous import apply_homography
 from course_lib.homography import homography_dlt
 from course_lib.resection.correction import correction_from_table, correction_table
@@ -21,6 +21,7 @@ from data_generators import cell
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.patches import Rectangle
 
 #: The dots of a sheet that lies on the table, mm.
 SHEET = np.stack(np.meshgrid(np.arange(0, 481, 30.0), np.arange(0, 321, 32.0)), -1).reshape(-1, 2)
@@ -99,7 +100,7 @@ def correction(
     Figure
         The cells with their arrows; fine arrows in between are interpolated.
     """
-    fig, ax = panels(1, 1, (FULL_WIDTH, 4.2))
+    fig, ax = panels(1, 1, (0.78 * FULL_WIDTH, 4.4))
     picture_frame(ax, cell.SIZE)
     rows, columns = shape
     entries = same_shape(table, np.zeros((rows, columns, 2)))
@@ -109,6 +110,9 @@ def correction(
     for k, (count, line) in enumerate(((columns, ax.axvline), (rows, ax.axhline))):
         for edge in np.arange(1, count) * cell.SIZE[k] / count - 0.5:
             line(edge, color=GREY, lw=0.8)
+    for r, c in np.argwhere(~entries.any(axis=-1)):
+        corner = (c * cell.SIZE[0] / columns - 0.5, r * cell.SIZE[1] / rows - 0.5)
+        ax.add_patch(_shade(corner, columns, rows))
     fine = np.stack(np.meshgrid(np.linspace(12, 627, 26), np.linspace(12, 467, 20)), -1)
     between = correction_from_table(fine.reshape(-1, 2), entries, cell.SIZE)
     _arrows(ax, fine.reshape(-1, 2), between, times, ROLES["ray"], 0.0018)
@@ -117,8 +121,16 @@ def correction(
     )
     middles = np.stack(np.meshgrid(u, v), -1).reshape(-1, 2)
     _arrows(ax, middles, entries.reshape(-1, 2), times, ROLES["object"], 0.0045)
-    ax.set_title(f"{rows} × {columns} cells, arrows {times:g} times as long")
+    ax.set_title(f"{rows} × {columns} cells, arrows {times:g} times as long; grey: zero, no dots")
     return fig
+
+
+def _shade(corner: tuple[float, float], columns: int, rows: int) -> Rectangle:
+    """Return a grey cell, for one without an entry."""
+    from matplotlib.patches import Rectangle
+
+    width, height = cell.SIZE[0] / columns, cell.SIZE[1] / rows
+    return Rectangle(corner, width, height, color=LIGHT, lw=0, zorder=0)
 
 
 def _arrows(ax: Axes, at: Floats, ways: Floats, times: float, colour: str, width: float) -> None:
@@ -146,7 +158,7 @@ def held_out(pixels: ArrayLike, residuals: ArrayLike) -> Figure:
     ax.axhline(judged[0].before, color=GREY, lw=1.5, ls=(0, (6, 4)))
     write(ax, (230, judged[0].before + 0.07), "no correction", "guide", ha="right")
     ax.axhline(CHANCE, color=GREY, lw=1.5, ls=(0, (1, 2)))
-    write(ax, (1.1, CHANCE - 0.07), f"chance, {CHANCE:.2f} px", "guide", ha="left")
+    write(ax, (1.0, CHANCE - 0.08), f"chance alone: {CHANCE:.2f} px", "guide", ha="left")
     learned, unseen = ([getattr(j, name) for j in judged] for name in ("learned", "held_out"))
     ax.semilogx(cells, learned, "s--", color=ROLES["image"], label="points it was made from")
     ax.semilogx(cells, unseen, "o-", color=ROLES["object"], label="points it has not seen")
@@ -155,11 +167,11 @@ def held_out(pixels: ArrayLike, residuals: ArrayLike) -> Figure:
     )
     best = int(np.argmin(unseen))
     ax.plot(cells[best], unseen[best], "o", ms=16, mfc="none", mec=BLACK, mew=1.5)
-    ax.set(xlabel="size of the table (cells; each step of the axis is a factor)")
+    ax.set(xlabel="size of the table (cells), logarithmic")
     ax.set(ylabel="residual, RMS (px)", ylim=(0, None))
     ax.set_xticks(cells, [str(c) for c in cells])
     ax.minorticks_off()
-    ax.legend(loc="lower left")
+    ax.legend(loc="upper right", bbox_to_anchor=(1, 0.93))
     return fig
 
 

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 #: Where the needle must go: first the targets on the table, then those on the block, mm.
 GOALS = np.vstack([cell.on_table(cell.TARGETS), cell.BLOCK])
+SINGLE = (0.75 * FULL_WIDTH, 4.3)  # inches: of a figure with one panel
 SIGMA = 0.2  # px: how well a marker is found
 
 
@@ -109,7 +110,8 @@ def misses(results: Mapping[str, ArrayLike | None], goals: ArrayLike, times: flo
         square.
     """
     places = np.asarray(goals, dtype=float)
-    fig, axes = panels(1, len(results), (FULL_WIDTH, 3.0), squeeze=False)
+    size = (FULL_WIDTH, 3.0) if len(results) > 1 else SINGLE
+    fig, axes = panels(1, len(results), size, squeeze=False)
     for ax, (title, result) in zip(axes[0], results.items(), strict=True):
         _table(ax, places)
         there = same_shape(result, places[:, :2])
@@ -206,7 +208,8 @@ def residual_field(
     Figure
         A panel for each, with the root of the mean square.
     """
-    fig, axes = panels(1, len(fields), (FULL_WIDTH, 3.0 if len(fields) > 1 else 4.6), squeeze=False)
+    size = (FULL_WIDTH, 3.0) if len(fields) > 1 else SINGLE
+    fig, axes = panels(1, len(fields), size, squeeze=False)
     for ax, (title, (pixels, residuals)) in zip(axes[0], fields.items(), strict=True):
         at, left = np.asarray(pixels, dtype=float), np.asarray(residuals, dtype=float)
         picture_frame(ax, cell.SIZE)
