@@ -111,7 +111,7 @@ SIMILARITY_TRANSFORM = Exercise(
         Misconception(
             wrong.mean_of_all_numbers,
             "`mean()` without an axis is a single number. How many has the middle of points?",
-            also=[wrong.mean_of_all_numbers_turned],
+            also=[wrong.mean_of_all_numbers_in_M, wrong.mean_of_all_numbers_turned],
         ),
         Misconception(
             wrong.move_of_one_point,

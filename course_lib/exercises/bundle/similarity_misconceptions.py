@@ -205,6 +205,13 @@ def rotation_before_the_test(points, targets):
     return laid(points, targets, right(points, targets)[0], U @ Vt)
 
 
+def mean_of_all_numbers_in_M(points, targets):
+    x, y = points - points.mean(), targets - targets.mean()
+    U, S, Vt = np.linalg.svd(y.T @ x)
+    signs = np.array([1, 1, np.sign(np.linalg.det(U @ Vt))])
+    return laid(points, targets, (S * signs).sum() / (x**2).sum(), (U * signs) @ Vt)
+
+
 def mean_of_all_numbers_turned(points, targets):
     """Turn the single number, which NumPy refuses."""
     middle, goal = points.mean(), targets.mean()
