@@ -54,7 +54,8 @@ def check_correspondences(
             f"{other.shape}"
         )
     if len(one) < least:
-        raise ValueError(f"{least} {names[0]} or more are needed, got {len(one)}")
+        what = names[0].rstrip("0123456789")  # points1 and points2 are points
+        raise ValueError(f"{least} {what} or more are needed, got {len(one)}")
     return one, other
 
 

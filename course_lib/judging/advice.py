@@ -2,8 +2,19 @@
 
 from __future__ import annotations
 
+import re
+
+#: A table with as many rows as a list has numbers, as in ``shapes (4,3) (4,)``.
+ONE_FOR_EACH_ROW = re.compile(r"shapes \((\d+),\d+\) \(\1,\)")
+DOMAIN = (
+    "A logarithm needs a number above 0, a root none below 0. Print what stands in it. Is a power "
+    "`**` written as a `*`?"
+)
+ROWS = "The rows of a matrix come as one list, with brackets of its own: `np.array([[…], […]])`."
+NONE = "Something here is None. Has a search found nothing, or does a function lack its `return`?"
+
 #: Name of the exception, a piece of its message, and what it most often means.
-ADVICE = (
+ADVICE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
     ("TypeError", "for ^", "In Python `^` is no power: write `f**2`."),
     ("TypeError", "bitwise_xor", "In Python `^` is no power: write `f**2`."),
     (
@@ -12,6 +23,8 @@ ADVICE = (
         "A number stands right before a bracket, so Python takes it for a function. "
         "Is a `*` missing?",
     ),
+    ("TypeError", "Field elements", ROWS),
+    ("TypeError", "array() takes", ROWS),
     (
         "TypeError",
         "'tuple'",
@@ -44,16 +57,8 @@ ADVICE = (
         "arctan2() takes",
         "`np.arctan2` takes the two sides one by one, the opposite one first: `np.arctan2(a, b)`.",
     ),
-    (
-        "TypeError",
-        "'NoneType'",
-        "Something here is None. Has a search found nothing, or does a function lack its `return`?",
-    ),
-    (
-        "AttributeError",
-        "'NoneType'",
-        "Something here is None. Has a search found nothing, or does a function lack its `return`?",
-    ),
+    ("TypeError", "'NoneType'", NONE),
+    ("AttributeError", "'NoneType'", NONE),
     ("TypeError", "only 0-dim", "This works for one number only; NumPy has it for arrays too."),
     (
         "TypeError",
@@ -98,6 +103,12 @@ ADVICE = (
         "There is no such axis: print the shape. A mask of pixels, as in `a[a < 5]`, leaves one "
         "long row; to keep whole pictures, use one True or False for each of them.",
     ),
+    (
+        "IndexError",
+        "boolean index did not match",
+        "This list of True and False has not one entry for each row. Which rows has it asked: all, "
+        "or only some of them, as those of a sample?",
+    ),
     ("IndexError", "", "There are fewer entries than the index needs; the first has index 0."),
     ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
     (
@@ -121,6 +132,20 @@ ADVICE = (
     ),
     (
         "ValueError",
+        "solve: Input operand 1",
+        "The right side has one number for each equation. Is it zero? Then the zero vector solves "
+        "it, which is of no use, and the vector that is meant is in the SVD.",
+    ),
+    ("ValueError", "math domain error", DOMAIN),
+    ("ValueError", "expected a positive input", DOMAIN),
+    (
+        "ValueError",
+        "must have shape (3,), got (3, 1)",
+        "A column of shape (3, 1) stands where three numbers belong: `a[:, 3]` gives a list of "
+        "numbers, `a[:, 3:]` a table with one column.",
+    ),
+    (
+        "ValueError",
         "not have enough dimensions",
         "The sign `@` multiplies arrays. One of the two is a single number here: `*`?",
     ),
@@ -140,7 +165,14 @@ ADVICE = (
         "LinAlgError",
         "Singular matrix",
         "This matrix has no inverse: its columns depend on each other. Is one of them zero, or a "
-        "multiple of another?",
+        "multiple of another? If a vector is asked for that the matrix takes to zero, it is in its "
+        "SVD: `np.linalg.solve` could give the zero vector only, which is of no use.",
+    ),
+    (
+        "LinAlgError",
+        "not positive definite",
+        "Cholesky finds no factor of this matrix. Print it: is it symmetric, and is its diagonal "
+        "positive? If so, check the numbers that it was made of.",
     ),
     (
         "LinAlgError",
@@ -204,6 +236,12 @@ ADVICE = (
     ),
     (
         "ValueError",
+        ONE_FOR_EACH_ROW,
+        "One number for each row meets a table, whose columns it does not fit. Make it a column: "
+        "`a[:, 2:]` and not `a[:, 2]`, or `a[:, None]`, or `np.linalg.norm(…, keepdims=True)`.",
+    ),
+    (
+        "ValueError",
         "broadcast",
         "The shapes of the two arrays do not fit. Print both shapes. Matrices are multiplied "
         "with `@`, not with `*`. A column taken as `a[:, 2]` is one long row; `a[:, 2:]` and "
@@ -253,5 +291,9 @@ def advice(error: str, message: str) -> str:
     str
         A sentence that gives no input away, or nothing.
     """
-    fitting = (words for name, piece, words in ADVICE if name == error and piece in message)
+    fitting = (
+        words
+        for name, piece, words in ADVICE
+        if name == error and (piece in message if isinstance(piece, str) else piece.search(message))
+    )
     return next(fitting, "")

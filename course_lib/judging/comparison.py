@@ -213,6 +213,7 @@ class UpToScale:
 
     tolerance: float = 1e-6
     rows: bool = False
+    scale_free = True
 
     def __call__(self, got: Any, expected: Any) -> Mismatch | None:
         """Return why `got` is not `expected`, or None."""

@@ -13,6 +13,8 @@ MARKS = {"right": "✓", "not attempted": "○"}
 WRONG = "✗"
 #: Numbers in a picture from which on only its shape and range are shown.
 LEGIBLE = 60
+#: A number so much smaller than the largest one of its table is a rounding error.
+NOTHING = 1e-11
 
 
 def mark(feedback: Feedback) -> str:
@@ -33,6 +35,8 @@ def format_value(value: Any) -> str:
         return f"{value:.6g}"
     if isinstance(value, np.ndarray) and value.ndim > 1 and value.size > LEGIBLE:
         return _outline(value)
+    if _loses_digits(value):
+        return _with_four_digits(value)
     whole = isinstance(value, np.ndarray) and value.dtype.kind in "iu" and value.ndim > 1
     threshold = LEGIBLE if whole else 24
     with np.printoptions(
@@ -44,6 +48,38 @@ def format_value(value: Any) -> str:
             return "(" + ", ".join(format_value(item) for item in value[:12]) + ")"
         text = repr(value)
     return text if len(text) <= 300 else text[:300] + " …"
+
+
+def _loses_digits(value: Any) -> bool:
+    """Whether numbers of a small table would be lost after five decimals, as in F for pixels."""
+    table = isinstance(value, np.ndarray) and value.ndim == 2 and value.dtype.kind == "f"
+    if not table or not value.size or not np.isfinite(value).all():
+        return False
+    sizes = np.abs(value)
+    return bool(((sizes > NOTHING * sizes.max()) & (sizes < 5e-4)).any())
+
+
+def _with_four_digits(table: NDArray[Any]) -> str:
+    """Write a table with four digits of each number, and rounding errors as zeros."""
+    kept = np.where(np.abs(table) > NOTHING * np.abs(table).max(), table, 0.0)
+    with np.printoptions(linewidth=90):
+        return np.array2string(kept, formatter={"float_kind": lambda x: f"{x:>10.4g}"})
+
+
+def _of_length_1(got: Any, expected: Any) -> tuple[Any, Any] | None:
+    """Return two tables, of any scale, of length 1 and with one sign; None where it cannot be."""
+    if isinstance(got, tuple | list) and isinstance(expected, tuple) and len(got) == len(expected):
+        pairs = [_of_length_1(*both) or both for both in zip(got, expected, strict=True)]
+        return tuple(one for one, _ in pairs), tuple(other for _, other in pairs)
+    tables = [np.asarray(a) for a in (got, expected) if isinstance(a, np.ndarray)]
+    if len(tables) < 2 or tables[0].shape != tables[1].shape or tables[0].ndim != 2:
+        return None
+    numbers = all(table.dtype.kind in "iuf" for table in tables)
+    lengths = np.array([np.linalg.norm(table) if numbers else 0.0 for table in tables])
+    if not np.isfinite(lengths).all() or not np.all(lengths):
+        return None
+    one, other = (table / length for table, length in zip(tables, lengths, strict=True))
+    return (-one if (one * other).sum() < 0 else one), other
 
 
 def _outline(array: NDArray[Any]) -> str:
@@ -76,11 +112,14 @@ def example_rows(feedback: Feedback) -> list[tuple[str, str]]:
     if feedback.case is None:
         return []
     rows = [(name, format_value(value)) for name, value in feedback.case.inputs.items()]
-    if feedback.got is not None:
-        rows += [("your answer", format_value(feedback.got))]
-    if feedback.expected is not None:
-        rows += [("expected", format_value(feedback.expected))]
-        rows += _largest_difference(feedback.got, feedback.expected)
+    got, expected, how = feedback.got, feedback.expected, ""
+    if feedback.scale_free and (scaled := _of_length_1(got, expected)):
+        (got, expected), how = scaled, ", of length 1"
+    if got is not None:
+        rows += [(f"your answer{how}", format_value(got))]
+    if expected is not None:
+        rows += [(f"expected{how}", format_value(expected))]
+        rows += _largest_difference(got, expected)
     return rows
 
 

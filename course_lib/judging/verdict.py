@@ -27,6 +27,7 @@ class Feedback:
     case: Case | None = None
     got: Any = None
     expected: Any = None
+    scale_free: bool = False  # a multiple of the expected answer is as good
 
     @property
     def has_example(self) -> bool:
@@ -146,7 +147,8 @@ def _judge_case(exercise: Exercise, case: Case, given: Answer, reveal: bool) -> 
     if mismatch is None:
         return Feedback("right", "Right.", case, given.value, expected)
     shown = expected if exercise.shows_expected else None
-    return Feedback(mismatch.kind, mismatch.message, case, given.value, shown)
+    free = getattr(exercise.compare, "scale_free", False)
+    return Feedback(mismatch.kind, mismatch.message, case, given.value, shown, free)
 
 
 def _judge_refusal(case: Case, given: Answer, truth: Raises, reveal: bool) -> Feedback:

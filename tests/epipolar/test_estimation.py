@@ -177,10 +177,10 @@ def test_degenerate_geometry_is_named(call, words):
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda s: eight_point(s.points1[:7], s.points2[:7]), "8 points1 or more"),
-        (lambda s: seven_point(s.points1[:6], s.points2[:6]), "7 points1 or more"),
+        (lambda s: eight_point(s.points1[:7], s.points2[:7]), "8 points or more"),
+        (lambda s: seven_point(s.points1[:6], s.points2[:6]), "7 points or more"),
         (lambda s: seven_point(s.points1, s.points2), "use eight_point"),
-        (lambda s: five_point(s.points1[:4], s.points2[:4]), "5 points1 or more"),
+        (lambda s: five_point(s.points1[:4], s.points2[:4]), "5 points or more"),
         (lambda s: five_point(s.points1, s.points2), "use ransac_pose"),
         (lambda s: poses_from_essential(np.eye(3)), "no essential matrix"),
         (lambda s: find_degeneracy(s.points1, s.points2, 1, K), "of neither"),

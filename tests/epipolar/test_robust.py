@@ -92,8 +92,8 @@ def test_published_numbers_of_samples():
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda s: ransac_fundamental(s.points1[:7], s.points2[:7], rng()), "8 points1 or more"),
-        (lambda s: ransac_pose(s.points1[:5], s.points2[:5], K, K, rng()), "6 points1 or more"),
+        (lambda s: ransac_fundamental(s.points1[:7], s.points2[:7], rng()), "8 points or more"),
+        (lambda s: ransac_pose(s.points1[:5], s.points2[:5], K, K, rng()), "6 points or more"),
         (lambda s: ransac_fundamental(s.points1, s.points2, rng(), threshold=-1), "positive"),
         (lambda s: ransac_fundamental(s.points1, s.points2, rng(), confidence=1), "between 0"),
         (lambda s: ransac_fundamental(s.points1, s.points2, rng(), most_samples=0), "most_samples"),

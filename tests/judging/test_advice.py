@@ -1,5 +1,6 @@
 """What a beginner reads when Python says something that only programmers understand."""
 
+import math
 import re
 
 import numpy as np
@@ -7,7 +8,7 @@ import pytest
 
 from course_lib.distortion import distort
 from course_lib.judging.advice import advice
-from course_lib.transforms import rigid_matrix
+from course_lib.transforms import rigid_matrix, skew
 
 
 def said(function, *inputs):
@@ -107,6 +108,35 @@ def test_a_single_point_as_a_column():
 def test_a_column_that_became_a_row():
     table = np.ones((4, 3))
     assert "`a[:, 2:]`" in said(lambda: table[:, :2] / table[:, 2])
+
+
+def test_a_length_for_each_row_is_no_column():
+    table = np.ones((5, 3))
+    assert "`a[:, None]`" in said(lambda: table / np.linalg.norm(table[:, :2], axis=1))
+    assert "`a[:, None]`" not in said(lambda: table / np.ones(4))
+
+
+@pytest.mark.parametrize("rows", [([1, 2], [3, 4]), ([1, 2], [3, 4], [5, 6])])
+def test_rows_without_outer_brackets(rows):
+    assert "brackets of its own" in said(np.array, *rows)
+
+
+def test_fits_of_a_sample_do_not_pick_from_all_pairs():
+    assert "those of a sample" in said(lambda: np.ones((40, 2))[np.ones(8, bool)])
+
+
+def test_a_system_whose_right_side_is_zero():
+    F = np.array([[0, 0, 0], [0, 0, -1], [0, 1, 0]])
+    for right in (0, np.zeros(3)):
+        assert "SVD" in said(np.linalg.solve, F, right)
+
+
+def test_logarithm_of_a_negative_number():
+    assert "above 0" in said(math.log, 1 - 0.5 * 8)
+
+
+def test_a_column_is_no_vector():
+    assert "`a[:, 3]`" in said(skew, np.ones((3, 1)))
 
 
 def test_a_name_without_its_module():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from course_lib.judging import Case
+from course_lib.judging import Case, UpToScale
 from course_lib.judging.text import example_rows, format_value
 from course_lib.judging.verdict import Feedback
 
@@ -60,3 +60,35 @@ def test_what_cannot_be_compared_place_by_place_does_no_harm(got):
     found = rows(got, LONG)
     assert found["expected"] == format_value(LONG)
     assert "largest difference" not in found
+
+
+class TestWhatMayBeScaled:
+    F = np.array([[2e-6, -1e-6, 3e-3], [4e-6, 0, 1e-3], [-3e-3, -1e-3, 0.9]])
+
+    def rows(self, got, compare):
+        feedback = Feedback("values", "", Case("part", {}), got, self.F, compare.scale_free)
+        return dict(example_rows(feedback))
+
+    def test_both_are_shown_of_length_1_and_with_one_sign(self):
+        rows = self.rows(-700 * self.F, UpToScale())
+        assert rows["your answer, of length 1"] == rows["expected, of length 1"]
+        assert "2.222e-06" in rows["expected, of length 1"]
+
+    def test_each_of_two_values(self):
+        feedback = Feedback(
+            "values", "", Case("part", {}), (3 * self.F, None), (self.F, None), True
+        )
+        rows = dict(example_rows(feedback))
+        assert rows["your answer, of length 1"] == rows["expected, of length 1"]
+
+    @pytest.mark.parametrize("got", [None, "F", np.zeros((3, 3)), np.ones((2, 2)), np.ones(9)])
+    def test_what_has_no_scale_is_shown_as_it_is(self, got):
+        rows = self.rows(got, UpToScale())
+        assert "expected" in rows
+        assert "expected, of length 1" not in rows
+
+
+def test_small_numbers_of_a_table_keep_their_digits():
+    text = format_value(np.array([[1e-6, 0.5], [1e-17, -3.21456]]))
+    assert text.split() == ["[[", "1e-06", "0.5]", "[", "0", "-3.215]]"]
+    assert format_value(np.array([[0.5, 0.25]])) == "[[0.5  0.25]]"

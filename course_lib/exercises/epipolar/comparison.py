@@ -21,6 +21,7 @@ class PixelMatrix:
 
     unit: float = 500.0
     tolerance: float = 1e-5
+    scale_free = True
 
     def __call__(self, got: Any, expected: Any) -> Mismatch | None:
         """Return why `got` is not `expected`, or None."""
@@ -54,6 +55,8 @@ class LinesWithUnitNormal:
 @dataclass(frozen=True)
 class MatrixAndFits:
     """What RANSAC gives: a fundamental matrix, and which pairs fit."""
+
+    scale_free = True
 
     def __call__(self, got: Any, expected: Any) -> Mismatch | None:
         """Return why `got` is not `expected`, or None."""
