@@ -253,7 +253,7 @@ def _reach(turned: Array, left: float, right: float) -> tuple[float, float]:
         with np.errstate(divide="ignore", invalid="ignore"):
             share = (line - across) / step
         cut = (share >= 0) & (share <= 1)
-        ends.append((along + share * step_along)[cut])
+        ends.append(along[cut] + share[cut] * step_along[cut])
     found = np.concatenate(ends)
     return float(found.min()), float(found.max())
 

@@ -109,6 +109,12 @@ class TestPlan:
         middle, right, below = camera.project([[x, y, 0], [x + 0.03, y, 0], [x, y - 0.03, 0]])
         np.testing.assert_allclose([right - middle, below - middle], np.eye(2), atol=1e-9)
 
+    def test_a_corner_given_twice_changes_nothing(self, drone):
+        corners = [[300, 0], [210, 0], [300, 240]]
+        once = plan_flight(corners, *drone, 0.02, heading=np.pi / 2)
+        twice = plan_flight([*corners, corners[-1]], *drone, 0.02, heading=np.pi / 2)
+        np.testing.assert_allclose(twice.centres, once.centres)
+
     def test_time_is_way_by_speed_and_turns(self, drone):
         plan = plan_flight([[0, 0], [300, 0], [300, 500], [0, 500]], *drone, gsd=0.03, side=0.7)
         strips = len(np.unique(plan.strips))
