@@ -47,6 +47,20 @@ APERTURE_WINDOW = Exercise(
             "An f-number has no unit. Which unit has yours, and which length is missing?",
         ),
         Misconception(
+            wrong.brackets_left_out,
+            "Python multiplies what follows a division. Which of your brackets is missing?",
+            also=[wrong.brackets_left_out_of_both, wrong.brackets_left_out_of_the_most],
+        ),
+        Misconception(
+            wrong.without_f_below,
+            "Which of the distances below the line is measured from the lens's focal point?",
+            also=[wrong.f_added_below],
+        ),
+        Misconception(
+            wrong.whole_depth,
+            "From where to where is the distance above the line: from the near end?",
+        ),
+        Misconception(
             wrong.mixed_units,
             "Distances, focal length and spot come in three units. Which one do you compute in?",
             also=[wrong.distances_not_in_mm],
@@ -67,6 +81,7 @@ APERTURE_WINDOW = Exercise(
         Misconception(
             wrong.magnification_over_s,
             "The least is right. By which distance is f divided in the magnification?",
+            also=[wrong.magnification_upside_down],
         ),
         Misconception(
             wrong.magnification_multiplied,
@@ -105,8 +120,8 @@ APERTURE_WINDOW = Exercise(
         ),
         Misconception(
             wrong.with_the_focus,
-            "The focus is a step on the way. Which two numbers are asked for?",
-            also=[wrong.least_only],
+            "Which two numbers are asked for: the ends of what?",
+            also=[wrong.least_only, wrong.yes_or_no, wrong.width_of_the_window],
         ),
     ],
 )

@@ -73,6 +73,42 @@ def f_not_squared(f_mm, near, far, spot_um, wavelength_um):
     return least / (f_mm / 1e3), most
 
 
+def brackets_left_out(f_mm, near, far, spot_um, wavelength_um):
+    f, c, wavelength = in_metres(f_mm, spot_um, wavelength_um)
+    s = between(near, far)
+    return f**2 * (far - s) / c * far * (s - f), c / (2.44 * wavelength * (1 + f / (s - f)))
+
+
+def brackets_left_out_of_both(f_mm, near, far, spot_um, wavelength_um):
+    f, c, wavelength = in_metres(f_mm, spot_um, wavelength_um)
+    s = between(near, far)
+    return f**2 * (far - s) / c * far * (s - f), c / 2.44 * wavelength * (1 + f / (s - f))
+
+
+def brackets_left_out_of_the_most(f_mm, near, far, spot_um, wavelength_um):
+    f, c, wavelength = in_metres(f_mm, spot_um, wavelength_um)
+    s = between(near, far)
+    return least_for(f, near, far, c, s), c / 2.44 * wavelength * (1 + f / (s - f))
+
+
+def without_f_below(f_mm, near, far, spot_um, wavelength_um):
+    f, c, _ = in_metres(f_mm, spot_um, wavelength_um)
+    s = between(near, far)
+    return f**2 * (far - s) / (c * far * s), window(f_mm, near, far, spot_um, wavelength_um)[1]
+
+
+def f_added_below(f_mm, near, far, spot_um, wavelength_um):
+    f, c, _ = in_metres(f_mm, spot_um, wavelength_um)
+    s, most = between(near, far), window(f_mm, near, far, spot_um, wavelength_um)[1]
+    return f**2 * (far - s) / (c * far * (s + f)), most
+
+
+def whole_depth(f_mm, near, far, spot_um, wavelength_um):
+    f, c, _ = in_metres(f_mm, spot_um, wavelength_um)
+    s, most = between(near, far), window(f_mm, near, far, spot_um, wavelength_um)[1]
+    return f**2 * (far - near) / (c * far * (s - f)), most
+
+
 def mixed_units(f_mm, near, far, spot_um, wavelength_um):
     c, wavelength = spot_um, wavelength_um
     s = between(near, far)
@@ -115,6 +151,12 @@ def magnification_over_s(f_mm, near, far, spot_um, wavelength_um):
     least, _ = window(f_mm, near, far, spot_um, wavelength_um)
     m = f_mm / 1e3 / between(near, far)
     return least, spot_um / (2.44 * wavelength_um * (1 + m))
+
+
+def magnification_upside_down(f_mm, near, far, spot_um, wavelength_um):
+    f, c, wavelength = in_metres(f_mm, spot_um, wavelength_um)
+    s = between(near, far)
+    return least_for(f, near, far, c, s), c / (2.44 * wavelength * (1 + (s - f) / f))
 
 
 def magnification_multiplied(f_mm, near, far, spot_um, wavelength_um):
@@ -172,6 +214,16 @@ def nothing_where_closed(f_mm, near, far, spot_um, wavelength_um):
 def not_above_the_most(f_mm, near, far, spot_um, wavelength_um):
     least, most = window(f_mm, near, far, spot_um, wavelength_um)
     return min(least, most), most
+
+
+def yes_or_no(f_mm, near, far, spot_um, wavelength_um):
+    least, most = window(f_mm, near, far, spot_um, wavelength_um)
+    return bool(least <= most)
+
+
+def width_of_the_window(f_mm, near, far, spot_um, wavelength_um):
+    least, most = window(f_mm, near, far, spot_um, wavelength_um)
+    return most - least
 
 
 def with_the_focus(f_mm, near, far, spot_um, wavelength_um):

@@ -124,6 +124,10 @@ MAX_SPEED = Exercise(
             also=[wrong.mean_of_both],
         ),
         Misconception(
+            wrong.both_returned,
+            "Those are two speeds. At which one are both demands met?",
+        ),
+        Misconception(
             wrong.kilometres_an_hour,
             "In which unit is your speed?",
         ),

@@ -137,6 +137,10 @@ def mean_of_both(base, interval, gsd, exposure_time, blur):
     return (base / interval + blur * gsd / exposure_time) / 2
 
 
+def both_returned(base, interval, gsd, exposure_time, blur):
+    return base / interval, blur * gsd / exposure_time
+
+
 def kilometres_an_hour(base, interval, gsd, exposure_time, blur):
     return 3.6 * np.minimum(base / interval, blur * gsd / exposure_time)
 

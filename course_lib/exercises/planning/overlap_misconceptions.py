@@ -43,6 +43,10 @@ def gap_is_positive(base, footprint):
     return np.abs(1 - base / footprint)
 
 
+def whole_numbers(base, footprint):
+    return 1 - base // footprint
+
+
 def share_of_both(base, footprint):
     return (footprint - base) / (footprint + base)
 
@@ -80,6 +84,10 @@ def hundred_less_per_cent(share, footprint):
 
 def footprint_below(share, footprint):
     return (1 - share) / footprint
+
+
+def share_of_a_footprint(share, footprint):
+    return share / footprint
 
 
 def share_below(share, footprint):

@@ -51,6 +51,10 @@ OVERLAP = Exercise(
             "Right where pictures overlap. Which sign has a gap?",
         ),
         Misconception(
+            wrong.whole_numbers,
+            "What does `//` make of a quotient, and what does `/`?",
+        ),
+        Misconception(
             wrong.share_of_both,
             "You divide by the ground of both pictures. Is the overlap a share of both, or of one?",
         ),
@@ -89,6 +93,7 @@ BASE_FOR_OVERLAP = Exercise(
         Misconception(
             wrong.footprint_below,
             "Your base gets shorter for a larger footprint. Should it?",
+            also=[wrong.share_of_a_footprint],
         ),
         Misconception(
             wrong.share_below,

@@ -62,6 +62,10 @@ def nothing_came(_: Case, plan: Any) -> bool:
     return plan is None
 
 
+def one_side_fits(case: Case, plan: Any) -> bool:
+    return any(met_if(task_without(side))(case, plan) for side in ("height", "width"))
+
+
 def too_far_stopped_down(case: Case, plan: Any) -> bool:
     """Return whether it is diffraction that such a set-up has too much of."""
     wider = met_if(lambda less, _: less.update(N=less["N"] / 4))
@@ -73,7 +77,8 @@ PLAN_SETUP = Exercise(
     plan_setup,
     points=15,
     parts={
-        "in view": Part(inputs.dark, 1, 3, demand("in view")),
+        "in view": Part(inputs.dark, 1, 1.5, demand("in view")),
+        "in view, an upright box": Part(inputs.upright, 1, 1.5, demand("in view")),
         "resolution": Part(inputs.tempting_cameras, 1, 2, demand("resolution")),
         "depth of field": Part(inputs.bright, 1, 2, demand("depth of field")),
         "diffraction": Part(inputs.bright, 1, 1.5, demand("diffraction")),
@@ -118,6 +123,11 @@ PLAN_SETUP = Exercise(
             wrong.motion_forgotten,
             "At rest the box is just in view. What happens to its edge when it moves?",
             explains=met_if(task_without("motion"), just=True),
+        ),
+        Misconception(
+            wrong.height_forgotten,
+            "The box fits in one direction. Does it fit in the other one, too?",
+            explains=one_side_fits,
         ),
         Misconception(
             wrong.half_the_box,

@@ -28,7 +28,7 @@ def lens(f_mm: float) -> Inputs:
 
 
 def box(rng: Generator, right: Inputs, f_mm: float, near: float, blur_px: float) -> Inputs:
-    """Choose a box that fills the picture of the right camera with the middle lens."""
+    """Choose a box that fills the width of the right camera's picture with the middle lens."""
     p, f = right["pitch_um"] / 1e6, f_mm / 1e3
     across, upright = (right[side] * p * near / f for side in ("width", "height"))
     motion = round(across * rng.uniform(0.035, 0.05), 3)
@@ -82,3 +82,11 @@ def slow(rng: Generator) -> Inputs:
 def far_off(rng: Generator) -> Inputs:
     """Ask for more distance than the first lenses that fit would take."""
     return setup(rng, False, rng.uniform(0.04, 0.07), rng.uniform(1.1, 1.2), int(rng.integers(3)))
+
+
+def upright(rng: Generator) -> Inputs:
+    """Turn boxes and cameras on their side, so that it is their height that counts."""
+    posed = dark(rng)
+    for turned in (posed["task"], *posed["cameras"]):
+        turned["width"], turned["height"] = turned["height"], turned["width"]
+    return posed

@@ -95,6 +95,16 @@ def motion_forgotten(task, cameras, lenses):
     return search(task, cameras, lenses, moves=0)
 
 
+def height_forgotten(task, cameras, lenses):
+    def nearer(plan: Inputs) -> float:
+        camera, lens = cameras[plan["camera"]], lenses[plan["lens"]]
+        p, f = camera["pitch_um"] / 1e6, lens["f_mm"] / 1e3
+        flat = task | {"height": 0.0}
+        return nearest(flat, camera, f, p, lens["closest"], 1.0) + float(task["depth"]) / 2
+
+    return changed(task, cameras, lenses, distance=nearer)
+
+
 def half_the_box(task, cameras, lenses):
     halved = {key: task[key] / 2 for key in ("width", "height", "motion")}
     return search(task | halved, cameras, lenses)

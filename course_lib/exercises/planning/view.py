@@ -25,6 +25,7 @@ BOX_IN_VIEW = Exercise(
         Misconception(
             wrong.motion_shared,
             "It moves that far to each side. By how much does its whole room grow then?",
+            also=[wrong.motion_counted_twice],
         ),
         Misconception(
             wrong.motion_to_one_side,
@@ -108,10 +109,13 @@ BOX_IN_VIEW = Exercise(
             also=[wrong.behind_left_out, wrong.behind_turned_round],
         ),
         Misconception(
+            wrong.below_the_ground,
+            "Which number says that a corner is in front of the camera: its Z in the world?",
+        ),
+        Misconception(
             wrong.nan_for_behind,
             "You found the corner without an image. Which four numbers are asked for then?",
             also=[
-                wrong.none_for_behind,
                 wrong.one_number_for_behind,
             ],
         ),

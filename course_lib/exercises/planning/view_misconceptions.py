@@ -43,6 +43,10 @@ def motion_shared(size, centre, motion, P, image_size):
     return room_around(centre, (size + motion) / 2, P, image_size)
 
 
+def motion_counted_twice(size, centre, motion, P, image_size):
+    return room_around(centre, size / 2 + 2 * motion, P, image_size)
+
+
 def motion_to_one_side(size, centre, motion, P, image_size):
     return room_around(centre + motion / 2, (size + motion) / 2, P, image_size)
 
@@ -185,9 +189,12 @@ def nan_for_behind(size, centre, motion, P, image_size):
     return found if np.isfinite(found).all() else np.full(4, np.nan)
 
 
-def none_for_behind(size, centre, motion, P, image_size):
-    found = room_around(centre, size / 2 + motion, P, image_size)
-    return found if np.isfinite(found).all() else None
+def below_the_ground(size, centre, motion, P, image_size):
+    corners = corners_of(centre, size / 2 + motion)
+    if (corners[:, 2] <= 0).any():
+        return np.full(4, -np.inf)
+    a, b, w = seen_by(P, corners)
+    return room((a / w, b / w, np.ones(8)), image_size)
 
 
 def one_number_for_behind(size, centre, motion, P, image_size):
