@@ -50,8 +50,9 @@ def find_degeneracy(
 ) -> Degeneracy:
     """Return what keeps pairs from telling the epipolar geometry, if anything does.
 
-    If nearly all pairs fit a homography as well as they fit anything, the plane's homography is
-    all that they tell. A camera that only turned has such a homography too; intrinsics tell
+    If nearly all pairs fit a homography within the threshold, the plane's homography is all that
+    they tell. "none" is no proof: it is the answer too where the threshold is less than the errors
+    of the pixels, or where more than a tenth of the pairs are wrong. A camera that only turned has such a homography too; intrinsics tell
     whether it is one.
 
     Parameters

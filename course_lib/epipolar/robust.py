@@ -124,8 +124,9 @@ def ransac_fundamental(
     TypeError, ValueError
         If the shapes do not fit, a number is not finite, or there are fewer than eight pairs.
     DegenerateConfigurationError
-        If the pairs that fit are on a plane or the camera has only turned; if no matrix fits more
-        than seven pairs; if the points of a picture are on a line.
+        If `find_degeneracy` finds that the pairs that fit are on a plane or the camera has only
+        turned, which it cannot always; if no matrix fits more than seven pairs; if the points of a
+        picture are on a line.
 
     References
     ----------

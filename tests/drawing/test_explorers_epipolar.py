@@ -141,6 +141,21 @@ def test_the_epipole_is_marked_only_where_it_is_inside():
     assert np.abs(F.T @ np.append(ring.mean(axis=0), 1)).max() < 1e-3 * np.abs(F).max()
 
 
+@pytest.mark.parametrize("at", [(100, 100), (240, 160), (190, 126), (150, 128), (169, 20)])
+def test_the_names_of_epipole_and_candidate_do_not_overlap(at):
+    for Z in (6, 10, 20, 55):
+        names = {n.text: n.at for n in lines.epipolar_frame(pairs.AHEAD, *at, Z).pictures[1].labels}
+        if "candidate" in names:
+            assert abs(names["candidate"][1] - names["epipole"][1]) >= lines.ABOVE
+
+
+def test_more_draws_than_a_million_are_not_counted():
+    assert value(ransac.ransac_frame(1, 30.0, 1.0), "Draws needed, by the best") == (
+        "more than a million"
+    )
+    assert int(value(ransac.ransac_frame(300, 30.0, 1.0), "Draws needed, by the best")) < 200
+
+
 # RANSAC
 
 

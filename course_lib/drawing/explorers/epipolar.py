@@ -25,6 +25,7 @@ NEAREST, PYRAMID, SHOWN = 0.3, 2.0, 60.0
 DEPTHS = (4.0, 6.0, 10.0, 20.0, 50.0)
 PATCH = 21  # px that are compared
 SIDE = 94  # px of an enlarged patch
+ABOVE = 14  # px from an epipole to its name
 
 
 def epipolar_frame(arrangement: str, u: float, v: float, Z: float) -> Frame:
@@ -90,7 +91,7 @@ def _epipole(arrangement: str, which: int) -> tuple[tuple[Line, ...], tuple[Labe
         return (), ()
     u, v = at.tolist()
     ring = Line(disc(at, 5), "image", 2.5, closed=True)
-    return (ring,), (Label("epipole", (u + 9, v - 12), "image"),)
+    return (ring,), (Label("epipole", (u + 9, v - ABOVE), "image"),)
 
 
 def _left(arrangement: str, at: Floats) -> Picture:
@@ -112,9 +113,9 @@ def _left(arrangement: str, at: Floats) -> Picture:
 def _right(arrangement: str, at: Floats, place: Floats | None, words: str) -> Picture:
     """Return the right picture with the line of the point, and its candidate."""
     lines, labels = _epipole(arrangement, 1)
-    if labels and place is not None and place[1] < labels[0].at[1] + 10:  # keep names apart
+    if labels and place is not None and place[1] < labels[0].at[1] + ABOVE:  # keep names apart
         (u, v), name = labels[0].at, labels[0].text
-        labels = (Label(name, (u, v + 24), labels[0].role),)
+        labels = (Label(name, (u, v + 2 * ABOVE), labels[0].role),)
     lines = (Line(trail(arrangement, 1).path(at), "ray", 2.5), *lines)
     if place is not None:
         lines = (*lines, Line(disc(place, 6), "object", 2.5, closed=True))
