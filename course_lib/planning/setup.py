@@ -165,10 +165,9 @@ def judge_setup(setup: Setup, task: Task, second: Setup | None = None) -> list[V
     ValueError
         If the box reaches behind the camera so that it has no depth range.
     """
-    verdicts = [in_view(setup, task), resolution(setup, task)]
-    verdicts += [depth_of_field(setup, task), diffraction(setup, task), closest_focus(setup, task)]
-    verdicts += [motion_blur(setup, task), frame_rate(setup, task), light(setup, task)]
-    return verdicts + ([expected_sigma(setup, second, task)] if second else [])
+    found = [demand(setup, task) for demand in (in_view, resolution, depth_of_field, diffraction)]
+    found += [demand(setup, task) for demand in (closest_focus, motion_blur, frame_rate, light)]
+    return found + ([expected_sigma(setup, second, task)] if second else [])
 
 
 def in_view(setup: Setup, task: Task) -> Verdict:
@@ -208,7 +207,7 @@ def depth_of_field(setup: Setup, task: Task) -> Verdict:
     window = _window(setup, task)
     remedy = f"Focus on {window.focus_distance:.3g} m and stop down to f/{window.least:.2g}."
     if not window.is_open:
-        remedy = "No f-number does it: diffraction is larger there. Turn the box, or stand farther."
+        remedy = "No f-number does it, for diffraction. Turn the box, or stand farther off."
     return Verdict("depth of field", met, worst, task.blur_px, "px", reason, "" if met else remedy)
 
 
@@ -249,9 +248,11 @@ def frame_rate(setup: Setup, task: Task) -> Verdict:
     """Return whether the camera takes pictures fast enough, the exposure included."""
     fastest = min(setup.camera.frame_rate, 1 / setup.exposure_time)
     met = fastest >= task.frame_rate
-    why = "its maker's limit" if fastest == setup.camera.frame_rate else "the exposure's limit"
-    reason = f"The camera takes {fastest:.3g} pictures a second, {why}."
-    remedy = "" if met else "Expose for less time, read fewer rows, or take a faster camera."
+    built = fastest == setup.camera.frame_rate
+    why = "its maker's" if built else "the exposure's"
+    reason = f"The camera takes {fastest:.3g} pictures a second, {why} limit."
+    remedy = "Read fewer rows, or take a faster camera." if built else "Expose for less time."
+    remedy = "" if met else remedy
     return Verdict("frame rate", met, fastest, task.frame_rate, "1/s", reason, remedy)
 
 

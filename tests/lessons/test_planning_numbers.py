@@ -103,6 +103,9 @@ def test_what_a_pixel_covers():
     assert 1000 * tilted == about(0.362, 3)
     assert 1000 * plain.object_resolution(2.2, 85, 13.5, np.radians(30))[1] == about(0.403, 3)
     assert fine < tilted < draw.TASK.resolution
+    assert 1000 * fine == about(0.349, 3)
+    assert np.degrees(np.arccos(fine / 0.0004)) == about(29.1, 1)
+    says("$\\cos\\alpha = 0.349/0.4$, at 29.1°")
     assert TABLE["resolution"].value == about(0.378, 3)
     says("At 15° yes, with 0.362 mm, and at 30° no, with 0.403 mm", "there it is 0.378 mm")
 
@@ -149,6 +152,9 @@ def test_the_set_ups_compared():
     missed = [[n for n, v in d.items() if not v.met] for d in (good, turned, short)]
     assert missed[0] == []
     assert {"resolution", "depth of field"} <= set(missed[1])
+    least, diffraction, light, *_ = draw.limits(np.radians(30))
+    assert light < least == about(13.6, 1)
+    says("f/13.6, which would make them sharp, is too dark")
     assert turned["expected σ"].value < 0.55 * good["expected σ"].value
     assert short["in view"].value == about(169, 0)
     assert short["resolution"].value == about(0.43, 2)

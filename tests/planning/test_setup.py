@@ -82,6 +82,12 @@ class TestVerdicts:
         N = 16 * closed.limit / closed.value
         assert verdict("diffraction", replace(GOOD, N=N - 1e-9)).met
 
+    def test_a_slow_camera_is_not_told_to_expose_for_less_time(self):
+        slow = verdict("frame rate", task=replace(TASK, frame_rate=100))
+        assert "faster camera" in slow.remedy
+        long = verdict("frame rate", replace(GOOD, exposure_time=1 / 20))
+        assert long.remedy == "Expose for less time."
+
     def test_the_remedy_of_light_works(self):
         """Four times the f-number needs sixteen times the time."""
         task = replace(TASK, exposure_at_f1=1 / 16000)
