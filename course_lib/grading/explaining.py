@@ -65,13 +65,15 @@ def explain_isolation() -> str:
     return "\n".join(lines)
 
 
-def try_out(allowance: Allowance) -> list[tuple[str, bool]]:
+def try_out(allowance: Allowance, nests: bool = True) -> list[tuple[str, bool]]:
     """Try what a submission must not be able to do.
 
     Parameters
     ----------
     allowance : Allowance
         The limits to try.
+    nests : bool
+        Whether walls inside the walls are used, if this system allows them.
 
     Returns
     -------
@@ -94,7 +96,7 @@ def try_out(allowance: Allowance) -> list[tuple[str, bool]]:
             for place, (_, code, error) in enumerate(TRIALS)
         ]
         library = make_library(folder, frozenset())
-        with Server(library, ["numpy"], "bubblewrap", 0) as server:
+        with Server(library, ["numpy"], "bubblewrap", 0, nests) as server:
             try:
                 with server.run(Job(steps), allowance) as conversation:
                     outputs = conversation.outputs

@@ -48,7 +48,7 @@ class Walls:
     command: tuple[str, ...]
     environment: dict[str, str]
     user: int
-    inner: bool
+    walled: bool
 
 
 @cache
@@ -107,7 +107,7 @@ def build_walls(isolation: Isolation, library: Path, line: int, number: int) -> 
     serve = (sys.executable, "-P", "-m", "course_lib.sandbox.server", str(line))
     if isolation == "none":
         own = {"PYTHONPATH": str(library), "MPLCONFIGDIR": str(library), "HOME": str(library)}
-        return Walls(serve, environment | own, 0, inner=False)
+        return Walls(serve, environment | own, 0, walled=False)
     root = os.getuid() == 0
     bwrap = (shutil.which("bwrap") or "bwrap", *_rights(root), *_sight(library))
     environment |= {"PYTHONPATH": LIBRARY}

@@ -30,6 +30,8 @@ from course_lib.sandbox.limits import Allowance
 USUAL = ("numpy", "scipy.linalg", "scipy.optimize", "matplotlib.pyplot", "cv2")
 #: Folders with copies of the library; the number of the process that made one follows.
 PREFIX = "course-grade-"
+#: Servers that are kept, and exercises of one submission that are asked again.
+MOST_SERVERS, MOST_AGAIN = 4, 6
 UNCLEAR = "kind that cannot be compared"
 
 
@@ -152,7 +154,9 @@ class Judge:
                 verdicts[check.cell] = asked[0] if asked else None
                 again += [number] if asked and asked[1] - {""} else []
             reason = conversation.reason
-        for number in again:  # something else of the library, that this exercise may use, was gone
+        for number in again[
+            :MOST_AGAIN
+        ]:  # something else of the library, that this exercise may use, was gone
             check = todo.checks[number]
             verdicts[check.cell] = self._alone(submitted, todo, number, check, lines)
         return Outcome(verdicts, conversation.outputs, reason)
@@ -195,9 +199,11 @@ class Judge:
 
     def _server(self, hidden: frozenset[str], submitted: Submitted) -> Server:
         if hidden not in self._servers:
+            if len(self._servers) >= MOST_SERVERS:  # each holds 150 MB
+                self._servers.pop(list(self._servers)[1]).stop()
             library = make_library(self._folder, hidden)
             preload = [*USUAL, *imported(submitted.notebook)]
-            place = 100 * self._number + len(self._servers)
+            place = 100 * self._number + len(self._servers)  # whose user may be taken again
             server = Server(library, preload, self._isolation, place)
             self._servers[hidden] = self._open.enter_context(server)
         return self._servers[hidden]

@@ -11,7 +11,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import Any, NoReturn
 
 from course_lib.grading.isolation import Isolation, build_walls
 from course_lib.sandbox import wire
@@ -110,15 +110,24 @@ class Conversation:
 
 
 class Server:
-    """One bubblewrap with an interpreter in it that has imported everything."""
+    """One bubblewrap with an interpreter in it that has imported everything.
+
+    Where a system forbids walls inside the walls, each submission gets a server of its own.
+    """
 
     def __init__(
-        self, library: Path, preload: Sequence[str], isolation: Isolation, number: int
+        self,
+        library: Path,
+        preload: Sequence[str],
+        isolation: Isolation,
+        number: int,
+        nests: bool = True,
     ) -> None:
         self._settings = (library, tuple(preload), isolation, number)
+        self._asked_to_nest, self.nests = nests, False
         self._process: subprocess.Popen[bytes] | None = None
         self._line: socket.socket | None = None
-        self._inner = True
+        self._walled = True
 
     def __enter__(self) -> Server:
         return self
@@ -140,7 +149,7 @@ class Server:
             If it does not start; with what it said.
         """
         library, preload, isolation, number = self._settings
-        mine, its = socket.socketpair()
+        self._line, its = socket.socketpair()
         walls = build_walls(isolation, library, its.fileno(), number)
         self._process = subprocess.Popen(
             walls.command,
@@ -152,17 +161,22 @@ class Server:
             cwd="/",
         )
         its.close()
-        self._line, self._inner = mine, walls.inner
-        settings = {"user": walls.user, "preload": list(preload), "walls": walls.inner}
+        self._walled = walls.walled
+        nests = walls.walled and self._asked_to_nest
+        settings = {"user": walls.user, "preload": preload, "nests": nests, "walled": self._walled}
         try:
-            wire.send(mine, settings)
-            wire.receive(mine, START)
+            wire.send(self._line, settings)
+            self.nests = bool(wire.receive(self._line, START)["nests"])
         except (wire.Closed, wire.Late):
-            assert self._process.stderr is not None
-            self._process.kill()
-            said = self._process.stderr.read().decode("utf-8", "replace").strip()
-            self.stop()
-            raise ServerGoneError(f"the isolated Python did not start: {said[-500:]}") from None
+            self._say_why_not_started()
+
+    def _say_why_not_started(self) -> NoReturn:
+        assert self._process is not None
+        assert self._process.stderr is not None
+        self._process.kill()
+        said = self._process.stderr.read().decode("utf-8", "replace").strip()
+        self.stop()
+        raise ServerGoneError(f"the isolated Python did not start: {said[-500:]}")
 
     def stop(self) -> None:
         """End the server and everything in it."""
@@ -196,18 +210,8 @@ class Server:
         if self._process is None or self._process.poll() is not None:
             self.stop()
             self.start()
-        assert self._line is not None
         with ExitStack() as ends:
-            pairs = [socket.socketpair() for _ in range(2 + job.checks)]
-            mine = [ends.enter_context(pair[0]) for pair in pairs]
-            try:
-                socket.send_fds(self._line, [BEGIN], [pair[1].fileno() for pair in pairs])
-            except OSError as error:
-                raise ServerGoneError(str(error)) from None
-            finally:
-                for pair in pairs:
-                    pair[1].close()
-            life, talk, *asks = mine
+            life, talk, *asks = self._begin(ends, 2 + job.checks)
             try:
                 wire.send(life, allowance.as_dict())
                 wire.send(talk, self._order(job, folder))
@@ -216,12 +220,28 @@ class Server:
             conversation = Conversation(life, talk, asks)
             conversation.listen(allowance.notebook_seconds + GRACE)
             yield conversation
+        if self._walled and not self.nests:  # what was left behind shares the server: it goes, too
+            self.stop()
+
+    def _begin(self, ends: ExitStack, number: int) -> list[socket.socket]:
+        """Send a job's ends of some lines to the server; return the other ends."""
+        assert self._line is not None
+        pairs = [socket.socketpair() for _ in range(number)]
+        mine = [ends.enter_context(pair[0]) for pair in pairs]
+        try:
+            socket.send_fds(self._line, [BEGIN], [pair[1].fileno() for pair in pairs])
+        except OSError as error:
+            raise ServerGoneError(str(error)) from None
+        finally:
+            for pair in pairs:
+                pair[1].close()
+        return mine
 
     def _order(self, job: Job, folder: str) -> dict[str, Any]:
         return {
             "steps": [dict(step) for step in job.steps],
             "files": dict(job.files),
             "draws": job.draws,
-            "walls": self._inner,
+            "walls": self._walled,
             "folder": folder or os.getcwd(),
         }

@@ -41,9 +41,10 @@ def main(number: int) -> None:
     settings = wire.receive(line, trusted=True)
     if settings["user"]:
         walls.become(settings["user"])
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the kernel takes ended guards away
     _preload(settings["preload"])
-    wire.send(line, "ready")
+    nests = settings["nests"] and walls.can_nest()
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the kernel takes ended guards away
+    wire.send(line, {"nests": nests})
     gc.collect()
     gc.freeze()
     while True:
@@ -52,7 +53,7 @@ def main(number: int) -> None:
             return
         if os.fork() == 0:
             line.close()
-            _guard([socket.socket(fileno=end) for end in ends], settings["walls"])
+            _guard([socket.socket(fileno=end) for end in ends], nests, settings["walled"])
         for end in ends:
             os.close(end)
 
@@ -67,7 +68,7 @@ def _preload(modules: list[str]) -> None:
             importlib.import_module(name)
 
 
-def _guard(lines: list[socket.socket], inner_walls: bool) -> NoReturn:
+def _guard(lines: list[socket.socket], nests: bool, walled: bool) -> NoReturn:
     """Start a submission and watch over it; end it when the grader has gone or it does harm."""
     life, *others = lines
     try:
@@ -77,12 +78,12 @@ def _guard(lines: list[socket.socket], inner_walls: bool) -> NoReturn:
         child = os.fork()
         if child == 0:
             life.close()
-            _enter(others, allowance, inner_walls)
+            _enter(others, allowance, nests, walled)
         for line in others:
             line.close()
-        reason = _watch(life, child, allowance, inner_walls)
+        reason = _watch(life, child, allowance, walled)
         with suppress(ProcessLookupError):
-            os.killpg(child, signal.SIGKILL) if not inner_walls else os.kill(child, signal.SIGKILL)
+            os.kill(child if walled else -child, signal.SIGKILL)
         os.waitpid(child, 0)
         wire.send(life, reason)
     except (wire.Closed, wire.Late):
@@ -91,10 +92,11 @@ def _guard(lines: list[socket.socket], inner_walls: bool) -> NoReturn:
         os._exit(0)
 
 
-def _watch(life: socket.socket, child: int, allowance: Allowance, inner_walls: bool) -> str:
+def _watch(life: socket.socket, child: int, allowance: Allowance, walled: bool) -> str:
     """Return why a submission must end now: it is finished, or the name of a limit."""
     start = time.monotonic()
-    memory = MemoryWatch(allowance.memory, (os.getpid(), os.getppid(), child))
+    own = (os.getpid(), os.getppid(), child)
+    memory = MemoryWatch(allowance.memory, own) if walled else None
     grader = select.poll()
     grader.register(life, select.POLLIN | select.POLLHUP)
     while not grader.poll(int(LOOK * 1000)):
@@ -102,24 +104,25 @@ def _watch(life: socket.socket, child: int, allowance: Allowance, inner_walls: b
             return "finished"
         if time.monotonic() - start > allowance.total_seconds:
             return "time"
-        if inner_walls and memory.is_too_much():
+        if memory and memory.is_too_much():
             return "memory"
     return "stopped"
 
 
-def _enter(lines: list[socket.socket], allowance: Allowance, inner_walls: bool) -> NoReturn:
+def _enter(lines: list[socket.socket], allowance: Allowance, nests: bool, walled: bool) -> NoReturn:
     """Go behind the inner walls, and run the notebook there."""
     try:
         walls.die_with_parent()
         user = os.getuid()
-        if inner_walls:
+        if not walled:
+            os.setpgid(0, 0)  # all that can be ended together
+        if nests:
             walls.leave_the_others()
             if os.fork():
                 _wait_for_all(lines)
             walls.die_with_parent()
             walls.settle(allowance, user)
-        else:
-            os.setpgid(0, 0)
+        walls.adopt()
         walls.limit(allowance)
         if os.fork() == 0:
             _become_notebook(lines, allowance)
@@ -147,7 +150,6 @@ def _become_notebook(lines: list[socket.socket], allowance: Allowance) -> NoRetu
 
     talk, *questions = lines
     try:
-        os.setsid()
         job: dict[str, Any] = wire.receive(talk, 20, trusted=True)
         run_notebook(job, talk, questions, allowance)
     finally:

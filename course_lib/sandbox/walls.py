@@ -10,6 +10,7 @@ from __future__ import annotations
 import ctypes
 import os
 import resource
+import sys
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,7 @@ _NEW_MOUNTS, _NEW_IPC, _NEW_USERS, _NEW_PROCESSES = 0x20000, 0x8000000, 0x100000
 _NO_SETUID, _NO_DEVICES = 0x2, 0x4
 _RECURSIVE, _PRIVATE = 0x4000, 0x40000
 _DEATH_SIGNAL, _SET_DUMPABLE, _DROP_BOUND, _NO_NEW_PRIVILEGES = 1, 4, 24, 38
-_KILL = 9
+_ADOPT, _KILL = 36, 9
 #: Folders of its own, in memory: where, and which part of the allowance for files.
 _OWN_FOLDERS = (("/tmp", 1.0), ("/dev/shm", 0.25))
 
@@ -41,12 +42,22 @@ _call = _Libc()
 
 
 def die_with_parent() -> None:
-    """Ask the kernel to end this process when its parent ends."""
+    """Ask the kernel to end this process when its parent ends; Linux can."""
+    if not sys.platform.startswith("linux"):
+        return
     _call("prctl", _DEATH_SIGNAL, _KILL, 0, 0, 0)
 
 
+def adopt() -> None:
+    """Become the parent of descendants whose own parent ends; Linux can."""
+    if sys.platform.startswith("linux"):
+        _call("prctl", _ADOPT, 1, 0, 0, 0)
+
+
 def hide() -> None:
-    """Keep this process from being traced or looked into by others of its user."""
+    """Keep this process from being traced or looked into by others of its user; Linux can."""
+    if not sys.platform.startswith("linux"):
+        return
     _call("prctl", _SET_DUMPABLE, 0, 0, 0, 0)
 
 
@@ -72,6 +83,22 @@ def leave_the_others() -> None:
     In them, this process is root, which gives it power over these namespaces only.
     """
     _new_users(_NEW_MOUNTS | _NEW_IPC | _NEW_PROCESSES, 0)
+
+
+def can_nest() -> bool:
+    """Return whether a process here can go behind walls of its own; some systems forbid it."""
+    user, trial = os.getuid(), os.fork()
+    if trial == 0:
+        try:
+            leave_the_others()
+            inner = os.fork()
+            if inner == 0:
+                settle(Allowance(), user)
+                os._exit(0)
+            os._exit(os.waitstatus_to_exitcode(os.waitpid(inner, 0)[1]) != 0)
+        except BaseException:
+            os._exit(1)
+    return os.waitpid(trial, 0)[1] == 0
 
 
 def settle(allowance: Allowance, user: int) -> None:

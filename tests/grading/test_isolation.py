@@ -8,8 +8,10 @@ from pathlib import Path
 import pytest
 
 from course_lib.grading import isolation
+from course_lib.grading.answering_library import make_library
 from course_lib.grading.explaining import TRIALS, explain_isolation, try_out
 from course_lib.grading.isolation import NoIsolationError, build_walls, demand, why_not
+from course_lib.grading.servers import Job, Server
 from course_lib.sandbox.limits import Allowance
 
 walled = pytest.mark.skipif(bool(why_not()), reason=why_not())
@@ -20,8 +22,31 @@ ANYBODY = 60_400
 
 @pytest.mark.slow
 @walled
-def test_everything_holds_here():
-    assert try_out(SMALL) == [(name, True) for name, *_ in TRIALS]
+@pytest.mark.parametrize("nests", [True, False])  # some systems forbid walls inside the walls
+def test_everything_holds_here(nests):
+    assert try_out(SMALL, nests) == [(name, True) for name, *_ in TRIALS]
+
+
+@pytest.mark.slow
+@walled
+@pytest.mark.parametrize("nests", [True, False])
+def test_nothing_is_left_for_the_next_submission(nests, tmp_path):
+    tmp_path.chmod(0o755)
+    leave = (
+        "import os, time\nopen('/tmp/left', 'w').close()\n"
+        "if os.fork() == 0:\n    os.setsid()\n    time.sleep(60)"
+    )
+    look = "import os\nprint(os.path.exists('/tmp/left'), os.popen('ls /proc').read().split())"
+    library = make_library(tmp_path, frozenset())
+    with Server(library, [], "bubblewrap", 0, nests) as server:
+        with server.run(Job([{"cell": 0, "source": leave}]), SMALL) as first:
+            assert first.finished
+        assert server.nests == nests
+        with server.run(Job([{"cell": 0, "source": look}]), SMALL) as second:
+            (said,) = second.outputs[0]["outputs"]
+    assert said["text"].startswith("False")
+    processes = [name for name in said["text"].split("'") if name.isdecimal()]
+    assert len(processes) <= (4 if nests else 7)
 
 
 def shared_with_all(folder: Path) -> list[str]:

@@ -276,7 +276,7 @@ HARM = {
         "        x = bytearray(os.urandom(1)) * 250_000_000; time.sleep(60)\n"
         "time.sleep(60)",
         second=0.0,
-        says="was stopped before it came to this check",
+        says="too much memory",
     ),
     "takes shared memory": Attack(
         "import mmap, os, time\n"

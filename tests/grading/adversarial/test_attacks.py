@@ -4,6 +4,7 @@ import os
 import re
 import socket
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -109,11 +110,19 @@ def test_no_hidden_input_comes_out(judge, name):
     assert [number for number in hidden_numbers() if number in words] == []
 
 
+@pytest.fixture(scope="module")
+def patient_judge():
+    """Taking memory takes time on a busy machine; what ends these must be the memory."""
+    allowance = replace(SMALL, cell_seconds=40.0, notebook_seconds=50.0, total_seconds=60.0)
+    with Judge("bubblewrap", allowance, 1) as judge:
+        yield judge
+
+
 @pytest.mark.parametrize("name", HARM)
-def test_harm_stays_inside_and_ends_in_time(judge, name):
+def test_harm_stays_inside_and_ends_in_time(judge, patient_judge, name):
     attack, start = HARM[name], time.monotonic()
-    points, words = graded(judge, attack)
-    assert time.monotonic() - start < SMALL.total_seconds + 10
+    points, words = graded(patient_judge if "memory" in name else judge, attack)
+    assert time.monotonic() - start < 60
     assert points[0] == attack.first
     assert attack.second is None or points[1] == attack.second
     assert attack.says in words
