@@ -114,7 +114,8 @@ def judge_demand(name: str, plan: Any, inputs: Inputs) -> Mismatch | None:
     worst = max(needed, key=lambda demand: needed[demand])
     if needed[worst] > HOPELESS:
         message = f"{MEANING[worst]}, {excess(needed[worst])}. That far off, nothing else counts."
-        return Mismatch("values", message)
+        units = " Are all lengths in metres?" if needed[worst] > 100 else ""
+        return Mismatch("values", message + units)
     asked = name.partition(",")[0]
     if needed[asked] <= 1 + ROUNDING:
         return None
@@ -150,6 +151,8 @@ def met_if(read: Reading, just: bool = False) -> Callable[[Case, Any], bool]:
     def explains(case: Case, plan: Any) -> bool:
         reread = _reread(read, case, plan)
         if reread is None or judge_demand(case.part, *reread):
+            return False
+        if broken(plan, case.inputs) or max(shares(plan, case.inputs).values()) > HOPELESS:
             return False
         return not just or shares(*reread)[case.part.partition(",")[0]] > 0.97
 

@@ -13,8 +13,9 @@ def plan_setup(task, cameras, lenses):
 
     - in view: ``width + 2 motion`` is at most ``camera width · p · near / f``; so for the height.
     - resolution: ``far p / f`` is at most `resolution`.
-    - depth of field and diffraction: N lies in the `aperture_window` of `course_lib.planning`, for
-      a spot of `blur_px` pixels (which is in µm there), and N is one that the lens has.
+    - depth of field and diffraction: N lies from ``window.least`` to ``window.most``, with
+      ``window = planning.aperture_window(f_mm, near, far, spot_um)`` and a spot of `blur_px`
+      pixels, in µm; and N is one that the lens has.
     - distance: near is at least `stand_off`, and at least the lens's `closest`.
     - motion blur: ``speed · exposure_time`` is at most ``blur_px · near p / f``.
     - frame rate: the camera's is at least the task's, and ``exposure_time`` is at most one over

@@ -62,6 +62,15 @@ def nothing_came(_: Case, plan: Any) -> bool:
     return plan is None
 
 
+def at_the_front(plan: Inputs, posed: Inputs) -> None:
+    half, distance = posed["task"]["depth"] / 2, plan["distance"]
+    posed["task"]["resolution"] *= (distance + half) / (distance - half)
+
+
+def with_the_front_as_far(case: Case, plan: Any) -> bool:
+    return case.part.startswith("resolution") and met_if(at_the_front)(case, plan)
+
+
 def one_side_fits(case: Case, plan: Any) -> bool:
     return any(met_if(task_without(side))(case, plan) for side in ("height", "width"))
 
@@ -79,7 +88,8 @@ PLAN_SETUP = Exercise(
     parts={
         "in view": Part(inputs.dark, 1, 1.5, demand("in view")),
         "in view, an upright box": Part(inputs.upright, 1, 1.5, demand("in view")),
-        "resolution": Part(inputs.tempting_cameras, 1, 2, demand("resolution")),
+        "resolution": Part(inputs.tempting_cameras, 1, 1, demand("resolution")),
+        "resolution, at the far face": Part(inputs.barely_too_coarse, 1, 1, demand("resolution")),
         "depth of field": Part(inputs.bright, 1, 2, demand("depth of field")),
         "diffraction": Part(inputs.bright, 1, 1.5, demand("diffraction")),
         "distance": Part(inputs.far_off, 1, 1, demand("distance")),
@@ -156,6 +166,11 @@ PLAN_SETUP = Exercise(
             wrong.only_the_middle,
             "You compute with the middle of the box. Which face of it is nearer, which is farther?",
             explains=met_if(task_without("depth")),
+        ),
+        Misconception(
+            wrong.resolution_in_front,
+            "On the front of the box a pixel is fine enough. Where on the box is it coarsest?",
+            explains=with_the_front_as_far,
         ),
         Misconception(
             wrong.resolution_not_looked_at,

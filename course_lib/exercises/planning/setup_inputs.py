@@ -39,7 +39,14 @@ def box(rng: Generator, right: Inputs, f_mm: float, near: float, blur_px: float)
     return {**size, "depth": depth, "motion": motion, "resolution": resolution}
 
 
-def setup(rng: Generator, slow: bool, light: float, stand_off: float, last: int = 2) -> Inputs:
+def setup(
+    rng: Generator,
+    slow: bool,
+    light: float,
+    stand_off: float,
+    last: int = 2,
+    barely: bool = False,
+) -> Inputs:
     """Choose the light as a share of what a set-up needs, and how far the camera stands off."""
     right, blur_px = camera(rng), float(rng.choice([1.5, 2, 2.5]))
     middle = int(rng.integers(1, 5))
@@ -51,7 +58,8 @@ def setup(rng: Generator, slow: bool, light: float, stand_off: float, last: int 
     speed = three_digits(blur_px * right["pitch_um"] / 1e3 * near / f_mm / longest)
     task |= {"speed": speed, "blur_px": blur_px, "frame_rate": float(rate)}
     task |= {"stand_off": three_digits(stand_off * near), "exposure_at_f1": 0.0}
-    coarse = right | {"width": right["width"] // 2, "height": right["height"] // 2}
+    coarser = 1.1 + 0.6 * task["depth"] / near if barely else 2  # fine enough in front, or not
+    coarse = right | {side: round(right[side] / coarser) for side in ("width", "height")}
     late = right | {"frame_rate": float(round(rate * rng.uniform(0.5, 0.8)))}
     wrong = [coarse, late] if rng.integers(2) else [late, coarse]
     lenses = [lens(f) for f in FOCAL_LENGTHS[middle - 1 : middle + 2]]
@@ -73,6 +81,11 @@ def bright(rng: Generator) -> Inputs:
 def tempting_cameras(rng: Generator) -> Inputs:
     """Put the cameras that will not do before the one that will."""
     return setup(rng, False, rng.uniform(0.04, 0.07), 0.25)
+
+
+def barely_too_coarse(rng: Generator) -> Inputs:
+    """Let the camera that is too coarse be fine enough at the front of the box."""
+    return setup(rng, False, rng.uniform(0.04, 0.07), 0.25, barely=True)
 
 
 def slow(rng: Generator) -> Inputs:

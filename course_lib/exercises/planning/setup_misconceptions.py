@@ -30,8 +30,8 @@ def fits(task: Any, camera: Any, lens: Any, far: float, N: float, most: float, t
     return not (coarse or closed or late or N**2 * task["exposure_at_f1"] > time)
 
 
-def search(task: Any, cameras: Any, lenses: Any, moves: float = 1.0) -> Any:
-    """Return the right answer, or one with too little room for motion."""
+def search(task: Any, cameras: Any, lenses: Any, moves: float = 1.0, in_front: bool = False) -> Any:
+    """Return the right answer, or one with too little room, or too coarse behind."""
     for number, camera in enumerate(cameras):
         for other, lens in enumerate(lenses):
             p, f = camera["pitch_um"] / 1e6, lens["f_mm"] / 1e3
@@ -39,7 +39,7 @@ def search(task: Any, cameras: Any, lenses: Any, moves: float = 1.0) -> Any:
             spot, far = task["blur_px"] * camera["pitch_um"], near + task["depth"]
             least, most = window(lens["f_mm"], near, far, spot, WAVELENGTH_UM)
             N, time = max(least, lens["N_least"]), longest(task, near, f, p)
-            if fits(task, camera, lens, far, N, most, time):
+            if fits(task, camera, lens, near if in_front else far, N, most, time):
                 plan = {"camera": number, "lens": other, "distance": (near + far) / 2}
                 return plan | {"N": N, "exposure_time": time}
     return None
@@ -107,7 +107,7 @@ def height_forgotten(task, cameras, lenses):
 
 def half_the_box(task, cameras, lenses):
     halved = {key: task[key] / 2 for key in ("width", "height", "motion")}
-    return search(task | halved, cameras, lenses)
+    return search(task | halved, cameras, lenses) or search(task, cameras, lenses)
 
 
 def front_for_the_middle(task, cameras, lenses):
@@ -148,6 +148,10 @@ def stopped_down(task, cameras, lenses):
 
 def resolution_not_looked_at(task, cameras, lenses):
     return search(task | {"resolution": math.inf}, cameras, lenses)
+
+
+def resolution_in_front(task, cameras, lenses):
+    return search(task, cameras, lenses, in_front=True)
 
 
 def stand_off_forgotten(task, cameras, lenses):
