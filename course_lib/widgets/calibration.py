@@ -29,20 +29,20 @@ def pose_explorer() -> Explorer:
         Slider("noise", "Error of a corner", "σ", "px", 0.02, 1, 0.1, step=0.02, digits=2)
     ]
     controls += [
-        Switch(f"view{n}", name.capitalize(), n <= 2) for n, name in enumerate(VIEWS, start=1)
+        Switch(f"view{n}", f"{n}: {name}", n <= 2) for n, name in enumerate(VIEWS, start=1)
     ]
     return Explorer("Which views tell what", controls, poses_frame)
 
 
 def reprojection_inspector() -> Explorer:
     """Return the reprojection inspector: a residual, its photograph and its corner."""
-    first, *_ = WAYS
+    *_, wide = WAYS
     return Explorer(
         "Inspect the residuals",
         [
-            Slider("du", "Look at", "du", "px", -4.2, 4.2, 0.42, step=0.01, digits=2),
-            Slider("dv", "Look at", "dv", "px", -4.2, 4.2, -0.04, step=0.01, digits=2),
-            Choice("way", "Corners", tuple(WAYS), first),
+            Slider("du", "Look at", "du", "px", -4.2, 4.2, 2.66, step=0.01, digits=2),
+            Slider("dv", "Look at", "dv", "px", -4.2, 4.2, -4.0, step=0.01, digits=2),
+            Choice("way", "Corners", tuple(WAYS), wide),
         ],
         reprojection_frame,
     )

@@ -128,7 +128,7 @@ def test_a_board_from_above_is_where_its_pose_says():
 def test_the_corners_of_the_picture_say_how_sure_their_rays_are():
     ax = draw.ray_uncertainty(FOUND, PIXELS).axes[0]
     said = [float(text.removesuffix(" px")) for text in written(ax) if text.endswith("px")]
-    at = np.array([[0.0, 0], [SIZE[0] - 1, 0], [0, SIZE[1] - 1], np.array(SIZE) - 1])
+    at = np.array([[0, 239.5], [0, 0], [SIZE[0] - 1, 0], [0, SIZE[1] - 1], np.array(SIZE) - 1])
     np.testing.assert_allclose(said, using.ray_sigma(FOUND, at, np.vstack(PIXELS)), atol=0.051)
 
 

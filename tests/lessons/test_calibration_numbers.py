@@ -391,6 +391,9 @@ def test_the_longest_residual(best, wide):
     assert lengths.ravel()[longest].tolist() == [about(0.43, 2)] * 2
     says("Corner 53 of view 7 and corner 0 of view 8, both 0.43 px")
     spoilt = np.linalg.norm(cal.calibrate(POINTS, wide, SIZE).residuals, axis=2)
+    assert np.unravel_index(spoilt.argmax(), spoilt.shape) == (1, 45)
+    assert spoilt.max() == about(4.81, 2)
+    says("The longest, at corner 45, is 4.81 px")
     long = np.argwhere(spoilt > 0.8)
     assert set(long[:, 0].tolist()) == {1, 6, 8, 11}
     assert (long[:, 0] == 1).mean() > 0.7

@@ -53,7 +53,10 @@ def residual_arrows(
         write(ax, (width / 2, height / 2), "no answer yet", "guide", fontsize=14)
         return fig
     _arrows(ax, at, left, times)
-    ax.set_title(f"RMS {rms_error(left):.2f} px, arrows × {times:g}")
+    ax.set_title(
+        f"RMS {rms_error(left):.2f} px, arrows × {times:g}, from seen towards projected",
+        fontsize=10.5,
+    )
     return fig
 
 

@@ -49,7 +49,7 @@ def board_poses(K: ArrayLike, poses: Sequence[Pose | None]) -> Figure:
     Returns
     -------
     Figure
-        Camera and boards from above, numbered.
+        Camera and boards from above, numbered, their upper edges thick.
     """
     fig, ax = panels(1, 1, (FULL_WIDTH * 0.8, 4.4))
     K = np.asarray(K, dtype=float)
@@ -65,6 +65,7 @@ def board_poses(K: ArrayLike, poses: Sequence[Pose | None]) -> Figure:
     for number, pose in chosen:
         if pose is not None:
             _from_above(ax, number, *pose)
+    ax.set_title("from above; thick: the upper edge of a board", fontsize=10.5)
     ax.set(xlim=(-27, 27), ylim=(-2, 58), aspect="equal", xlabel="x (cm)", ylabel="z (cm)")
     return fig
 
@@ -78,6 +79,8 @@ def _from_above(ax: Axes, number: int, R: ArrayLike, t: ArrayLike) -> None:
     from matplotlib.colors import to_rgb
 
     ax.fill(x, z, fc=(*to_rgb(ROLES["object"]), 0.12), ec=ROLES["object"], lw=2)
+    upper = np.argsort(corners[:, 1])[:2]  # y grows downwards
+    ax.plot(x[upper], z[upper], color=ROLES["object"], lw=4.5, solid_capstyle="butt")
     end = int(np.argmin(z))
     write(ax, (x[end], z[end] - 1.8), str(number), "object", fontsize=11)
 

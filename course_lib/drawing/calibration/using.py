@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 #: A small lens, mm, and the focal length in px that it has when it is focused far away.
 LENS, FAR = 6.0, 534.0
 GRID = (129, 97)  # columns and rows of pixels at which rays are looked at
-LEVELS = (0.05, 0.1, 0.2, 1.0)  # px: where lines of equal uncertainty are drawn
+LEVELS = (0.05, 0.1, 0.2, 0.5, 1.0, 5.0)  # px: where lines of equal uncertainty are drawn
 
 
 def directions(calibration: Calibration, pixels: ArrayLike) -> Floats:
@@ -116,7 +116,7 @@ def ray_uncertainty(calibration: Calibration, pixels: Sequence[ArrayLike]) -> Fi
     ax.contour(u, v, sigma, levels=LEVELS, colors=ROLES["object"], linewidths=1.4)
     picture_frame(ax, SIZE)
     _numbers(ax, u, v, sigma)
-    ax.set_title("± px, by the covariance", fontsize=10.5)
+    ax.set_title("standard deviation of a ray (px); dots: corners seen", fontsize=10.5)
     return fig
 
 
@@ -126,9 +126,13 @@ def _numbers(ax: Axes, u: Floats, v: Floats, sigma: Floats) -> None:
     row, half, last = int(0.58 * len(u)), u.shape[1] // 2, np.inf
     for level in LEVELS:
         at = float(np.interp(-level, -sigma[row, :half], u[row, :half]))
-        if 10 < at < last - 40:
+        if 25 < at < last - 30:
             write(ax, (at, v[row, 0]), f"{level:g}", "object", fontsize=9, **look)
             last = at
+    middle = len(u) // 2
+    ax.plot(0, v[middle, 0], "o", color=ROLES["object"], ms=7, clip_on=False)
+    edge = f"{sigma[middle, 0]:.1f} px"
+    write(ax, (9, v[middle, 0]), edge, "object", ha="left", va="center", **look)
     for row, low in ((0, False), (-1, True)):
         for column, right in ((0, False), (-1, True)):
             at_corner = u[row, column] - (6 if right else -6), v[row, column] - (6 if low else -6)

@@ -40,7 +40,7 @@ ROOM_SIZE, SEEN_SIZE, BARS_SIZE = (330, 270), (320, 240), (300, 270)
 SCALE = SEEN_SIZE[0] / SIZE[0]
 #: The bars, from 0.01 to 100: by name the unit, and how many times its value a bar is long.
 BARS = {"fx": ("px", 1.0), "cx": ("px", 1.0), "cy": ("px", 1.0), "k1": ("", 1000.0)}
-AXES = Plot((44, 226, 24, 236), (0.01, 100), (0, 4), log_x=True)
+AXES = Plot((44, 226, 24, 226), (0.01, 100), (0, 4), log_x=True)
 #: A direction that changes no pixel by more than this part of the others is not determined.
 UNKNOWN = 1e-9
 
@@ -164,7 +164,7 @@ def _room(chosen: list[bool]) -> Picture:
         f"A camera and {sum(chosen)} boards before it: {_named(chosen)}.",
         ROOM_SIZE,
         lines=tuple(lines),
-        labels=(Label("camera", (u + 6, v + 30), "camera", "middle"),),
+        labels=(Label("camera", (u + 6, v + 30), "camera", "middle"), *_numbers(chosen, boards)),
     )
 
 
@@ -180,7 +180,17 @@ def _seen(chosen: list[bool]) -> Picture:
         f"Where the boards are in the picture: {_named(chosen)}.",
         SEEN_SIZE,
         lines=tuple(lines),
+        labels=_numbers(chosen, [outline[[0, 8, 13, 21]] for outline in _in_picture()]),
     )
+
+
+def _numbers(chosen: list[bool], corners: list[Floats]) -> tuple[Label, ...]:
+    """Return the number of each chosen view, inside one corner or another of its board."""
+    labels = []
+    for number, (on, board) in enumerate(zip(chosen, corners, strict=True), start=1):
+        u, v = (0.85 * board[number % 4] + 0.15 * board.mean(axis=0)).tolist()
+        labels += [Label(f"{number}", (u, v), "object", "middle")] if on else []
+    return tuple(labels)
 
 
 def _named(chosen: list[bool]) -> str:
@@ -191,6 +201,7 @@ def _named(chosen: list[bool]) -> str:
 def _bars(sigma: dict[str, float], noise: float) -> Picture:
     left, right, top, bottom = AXES.box
     lines, labels, said = [AXES.frame()], [*AXES.ticks((0.01, 0.1, 1, 10, 100), ())], []
+    labels.append(AXES.names("px; for k1 (no unit) 1000 times", "")[0])
     for number, (name, (unit, factor)) in enumerate(BARS.items()):
         v = top + (number + 0.5) * (bottom - top) / len(BARS)
         value = factor * sigma[name]
@@ -203,7 +214,7 @@ def _bars(sigma: dict[str, float], noise: float) -> Picture:
         labels += [Label(name, (left - 6, v), anchor="end"), Label(text, (end + 5, v))]
         said.append(f"{name} {text}")
     return Picture(
-        "Sigma (bar of k1: × 1000)",
+        "Sigma of each number",
         f"Standard deviations if corners are found to {noise:g} px: {', '.join(said)}.",
         BARS_SIZE,
         lines=tuple(lines),
