@@ -19,6 +19,7 @@ LESSONS = {
     "homogeneous": "02_homogeneous",
     "triangulation": "09_triangulation",
     "bundle": "10_bundle",
+    "planning": "11_planning",
 }
 FUNCTIONS = [e for name in LESSONS for e in all_exercises(name) if isinstance(e, Exercise)]
 
