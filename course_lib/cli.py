@@ -131,6 +131,8 @@ def _add_grade(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
 
 
 def _grade(options: argparse.Namespace) -> int:
+    if sys.platform == "win32":
+        raise UsageError("grading needs Linux or macOS; on Windows, use WSL")
     from course_lib.grading.command import grade
 
     return grade(options)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import fcntl
 import os
 import statistics
 import sys
@@ -84,6 +83,8 @@ def _grade(assignment: Assignment, todo: list[str], manner: Manner, workers: int
 @contextmanager
 def _alone(assignment: Assignment) -> Iterator[None]:
     """Make sure that nobody else grades this term: there is one writer."""
+    import fcntl  # which Windows has not
+
     folder = assignment.term / RECORDS
     folder.mkdir(exist_ok=True)
     with (folder / ".lock").open("w") as lock:

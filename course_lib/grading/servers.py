@@ -16,7 +16,6 @@ from typing import Any, NoReturn
 from course_lib.grading.isolation import Isolation, build_walls
 from course_lib.sandbox import wire
 from course_lib.sandbox.limits import Allowance
-from course_lib.sandbox.server import BEGIN
 
 #: Seconds to start, and what a message may take longer than what it waits for.
 START, GRACE = 60.0, 2.0
@@ -229,7 +228,7 @@ class Server:
         pairs = [socket.socketpair() for _ in range(number)]
         mine = [ends.enter_context(pair[0]) for pair in pairs]
         try:
-            socket.send_fds(self._line, [BEGIN], [pair[1].fileno() for pair in pairs])
+            socket.send_fds(self._line, [wire.BEGIN], [pair[1].fileno() for pair in pairs])
         except OSError as error:
             raise ServerGoneError(str(error)) from None
         finally:

@@ -24,8 +24,6 @@ from course_lib.sandbox.memory import MemoryWatch
 
 #: Seconds between two looks at the memory.
 LOOK = 0.05
-#: From the grader: begin a job. With it come the ends of its lines: life, talk, questions.
-BEGIN = b"J"
 MOST_LINES = 200
 
 
@@ -49,7 +47,7 @@ def main(number: int) -> None:
     gc.freeze()
     while True:
         message, ends, _, _ = socket.recv_fds(line, 1, MOST_LINES)
-        if message != BEGIN:
+        if message != wire.BEGIN:
             return
         if os.fork() == 0:
             line.close()

@@ -10,7 +10,11 @@ from typing import Any
 
 from course_lib.sandbox.codec import HEAD, MalformedMessageError, decode, encode, sizes
 
-__all__ = ["Closed", "Late", "MalformedMessageError", "receive", "send"]
+__all__ = ["BEGIN", "Closed", "Late", "MalformedMessageError", "receive", "send"]
+
+#: From the grader to a server: begin a job. With it come the ends of its lines: life, talk,
+#: questions.
+BEGIN = b"J"
 
 
 class Closed(Exception):

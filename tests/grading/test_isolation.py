@@ -113,3 +113,13 @@ def test_a_bubblewrap_that_does_not_work_is_refused(monkeypatch, tmp_path):
         assert why_not() == "bubblewrap does not work here: no namespaces here"
     finally:
         why_not.cache_clear()
+
+
+def test_a_term_can_be_set_up_where_nothing_can_be_isolated():
+    """On Windows there is no `resource` and no `fcntl`; nbgrader's settings must load there."""
+    code = (
+        "import sys\nsys.modules.update(resource=None, fcntl=None)\n"
+        "import course_lib.grading.configuration\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT)
+    assert done.returncode == 0, done.stderr
