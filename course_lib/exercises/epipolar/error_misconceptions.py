@@ -67,6 +67,20 @@ def both_distances_averaged(points1, points2, F):
     return np.abs(e) / np.sqrt(squares(l2)) / 2 + np.abs(e) / np.sqrt(squares(l1)) / 2
 
 
+def symmetric_distance(points1, points2, F):
+    e, l2, l1 = parts(points1, points2, F)
+    return np.sqrt((e**2 / squares(l2) + e**2 / squares(l1)) / 2)
+
+
+def scaled_lines(points1, points2, F):
+    e, l2, _ = parts(points1, points2, F)
+    return np.abs(e) / np.sqrt(squares(l2) * 2)
+
+
+def scaled_lines_below_only(points1, points2, F):
+    return np.abs(parts(points1, points2, F)[0]) / np.sqrt(2)
+
+
 def lengths_added(points1, points2, F):
     e, l2, l1 = parts(points1, points2, F)
     return np.abs(e) / (np.sqrt(squares(l2)) + np.sqrt(squares(l1)))
@@ -163,6 +177,14 @@ def times_the_size(confidence, size, wrong_share):
 
 def confidence_for_its_rest(confidence, size, wrong_share):
     return math.ceil(exact(1 - confidence, (1 - wrong_share) ** size))
+
+
+def logarithm_of_the_quotient(confidence, size, wrong_share):
+    return math.ceil(math.log((1 - confidence) / (1 - (1 - wrong_share) ** size)))
+
+
+def logarithm_of_the_quotient_not_rounded(confidence, size, wrong_share):
+    return math.log((1 - confidence) / (1 - (1 - wrong_share) ** size))
 
 
 def good_for_bad_samples(confidence, size, wrong_share):

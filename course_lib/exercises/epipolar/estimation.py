@@ -63,6 +63,12 @@ EIGHT_POINT = Exercise(
             also=[wrong.neither_normalised_nor_rank_two],
         ),
         Misconception(
+            wrong.normalised_alike,
+            "Without noise it is right. Both pictures have one T here. Whose points should each "
+            "be made of?",
+            also=[wrong.normalised_together, wrong.normalised_alike_by_picture_2],
+        ),
+        Misconception(
             wrong.left_normalised,
             "Put two pixels into your F. Which points does it belong to?",
             also=[wrong.left_normalised_with_rank_three],
@@ -143,6 +149,16 @@ SAMPSON_ERROR = Exercise(
             also=[slips.both_distances_added, slips.both_distances_averaged],
         ),
         Misconception(
+            slips.symmetric_distance,
+            "This is the symmetric distance. How many fractions are in the Sampson error, and what "
+            "stands below its root?",
+        ),
+        Misconception(
+            slips.scaled_lines,
+            "Your lines have normals of length 1. Are the lengths of F x1 and Fᵀ x2 still in it?",
+            also=[slips.scaled_lines_below_only],
+        ),
+        Misconception(
             slips.lengths_added,
             "You add two lengths. How do the sides of a right triangle add up?",
         ),
@@ -218,6 +234,12 @@ RANSAC_ITERATIONS = Exercise(
         Misconception(
             slips.confidence_for_its_rest,
             "Which chance shall all bad samples together have: the confidence, or what is left?",
+        ),
+        Misconception(
+            slips.logarithm_of_the_quotient,
+            "Below zero? The logarithm of a quotient is not the quotient of two logarithms: which "
+            "one does the formula ask for?",
+            also=[slips.logarithm_of_the_quotient_not_rounded],
         ),
         Misconception(
             slips.good_for_bad_samples,

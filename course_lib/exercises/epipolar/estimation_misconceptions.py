@@ -94,6 +94,24 @@ def left_normalised_with_rank_three(points1, points2):
     return normalised(points1, points2)[0]
 
 
+def by_one(T: Any, points1: Any, points2: Any) -> Any:
+    """Return F by one normalisation of both pictures."""
+    one, other = (homogeneous(points) @ T.T for points in (points1, points2))
+    return T.T @ rank_two(null_matrix(one[:, :2], other[:, :2])) @ T
+
+
+def normalised_alike(points1, points2):
+    return by_one(normalise_points(points1)[1], points1, points2)
+
+
+def normalised_alike_by_picture_2(points1, points2):
+    return by_one(normalise_points(points2)[1], points1, points2)
+
+
+def normalised_together(points1, points2):
+    return by_one(normalise_points(np.vstack([points1, points2]))[1], points1, points2)
+
+
 def back_as_a_homography(points1, points2):
     F, T1, T2 = normalised(points1, points2)
     return np.linalg.inv(T2) @ rank_two(F) @ T1

@@ -135,6 +135,18 @@ def singular_value_for_vector(F):
     return np.linalg.svd(F)[1][:2]
 
 
+def zero_vector(F):
+    return np.full(2, np.nan)  # 0 / 0
+
+
+def zero_vector_not_divided(F):
+    return np.zeros(3)
+
+
+def zero_vector_cut(F):
+    return np.zeros(2)
+
+
 def smallest_by_symmetric_eigenvectors(F):
     return pixel(np.linalg.eigh(F)[1][:, 0])
 
@@ -184,6 +196,28 @@ def c_forgotten(points, lines):
 
 def every_point_with_every_line(points, lines):
     return np.abs(homogeneous(points) @ lines.T) / lengths(lines)
+
+
+def every_point_with_every_line_not_divided(points, lines):
+    return homogeneous(points) @ lines.T
+
+
+def every_point_with_every_line_without_sign(points, lines):
+    return np.abs(homogeneous(points) @ lines.T)
+
+
+def every_point_with_every_line_divided_by_rows(points, lines):
+    return np.abs(homogeneous(points) @ lines.T) / lengths(lines)[:, None]
+
+
+def brackets_left_out(points, lines):
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.abs(along(points, lines)) / lines[:, 0] ** 2 + lines[:, 1] ** 2
+
+
+def root_of_one_number(points, lines):
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.abs(along(points, lines)) / np.sqrt(lines[:, 0] ** 2) + lines[:, 1] ** 2
 
 
 def added_down_the_columns(points, lines):

@@ -122,6 +122,12 @@ EPIPOLE = Exercise(
             "The SVD gives three things. Which of them are numbers, and which are vectors?",
         ),
         Misconception(
+            wrong.zero_vector,
+            "Any matrix takes the zero vector to zero, so it says nothing. Which other vector does "
+            "the SVD of F give?",
+            also=[wrong.zero_vector_not_divided, wrong.zero_vector_cut],
+        ),
+        Misconception(
             wrong.smallest_by_symmetric_eigenvectors,
             "`eigh` is for symmetric matrices. Is F symmetric?",
         ),
@@ -167,6 +173,16 @@ LINE_DISTANCE = Exercise(
         Misconception(
             wrong.every_point_with_every_line,
             "You have each point with each line. Which of these belong together?",
+            also=[
+                wrong.every_point_with_every_line_not_divided,
+                wrong.every_point_with_every_line_without_sign,
+                wrong.every_point_with_every_line_divided_by_rows,
+            ],
+        ),
+        Misconception(
+            wrong.brackets_left_out,
+            "In `x / p + q`, what is divided by what? Which brackets does the formula need?",
+            also=[wrong.root_of_one_number],
         ),
         Misconception(
             wrong.added_down_the_columns,

@@ -115,6 +115,11 @@ ESSENTIAL_FROM_POSE = Exercise(
             also=[wrong.shift_times_rotation],
         ),
         Misconception(
+            wrong.only_the_shift_turned,
+            "You turn t, and then make the matrix. In t × (R x1), what is turned: t or x1?",
+            also=[wrong.only_the_shift_turned_forth],
+        ),
+        Misconception(
             wrong.rotation_left_out,
             "Right for cameras that are not turned. What does the turn do to x1?",
         ),

@@ -101,6 +101,14 @@ def turned_shift(R, t):
     return skew(R @ t) @ R
 
 
+def only_the_shift_turned(R, t):
+    return skew(t @ R)
+
+
+def only_the_shift_turned_forth(R, t):
+    return skew(R @ t)
+
+
 def entry_by_entry(R, t):
     return skew(t) * R
 
