@@ -41,6 +41,7 @@ FIGURES = {
     "bar_in_tension": draw.bar_in_tension,
     "calibration_object": lambda: draw.calibration_object(PIXELS, P),
     "calibration_object alone": lambda: draw.calibration_object(PIXELS),
+    "circle_to_ellipse": draw.circle_to_ellipse,
     "correction": lambda: draw.correction(TABLE),
     "held_out": lambda: draw.held_out(SEEN, LEFT),
     "misses": lambda: draw.misses({"all": draw.GOALS[:, :2] + 9, "none": None}, draw.GOALS),

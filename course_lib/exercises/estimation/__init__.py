@@ -2,11 +2,8 @@
 
 from course_lib.exercises.estimation.cameras import CAMERA_DLT, DECOMPOSE_PROJECTION
 from course_lib.exercises.estimation.fits import FIT_AFFINE, FIT_LINE, SOLVE_ONE_UNKNOWN
-from course_lib.exercises.estimation.planes import (
-    APPLY_HOMOGRAPHY,
-    HOMOGRAPHY_DLT,
-    NORMALISE_POINTS,
-)
+from course_lib.exercises.estimation.homographies import HOMOGRAPHY_DLT
+from course_lib.exercises.estimation.planes import APPLY_HOMOGRAPHY, NORMALISE_POINTS
 from course_lib.exercises.estimation.tables import CORRECTION_TABLE, EXPLAIN_RESIDUALS
 
 #: In the order of the lesson.

@@ -24,7 +24,11 @@ CAMERA_DLT = Exercise(
             wrong.numbers_as_they_come,
             "Right for exact pixels. With errors it matters which numbers stand in A: points and "
             "pixels, or what normalise_points makes of them?",
-            also=[wrong.last_number_is_one, wrong.only_the_pixels_normalised],
+            also=[
+                wrong.last_number_is_one,
+                wrong.only_the_pixels_normalised,
+                wrong.only_the_points_normalised,
+            ],
         ),
         Misconception(
             wrong.rows_of_the_numbers_as_they_come,
@@ -77,6 +81,17 @@ CAMERA_DLT = Exercise(
         Misconception(
             wrong.sign_of_the_last_four,
             "Bring everything to one side of the equation. Which sign do the last four get?",
+            also=[wrong.plus_in_the_rows_of_v, wrong.plus_in_the_rows_of_u],
+        ),
+        Misconception(
+            wrong.v_where_u_begins,
+            "Which row of P makes v, and in which four columns of A do its numbers stand?",
+        ),
+        Misconception(
+            wrong.only_rows_of_u,
+            "One coordinate of the pixels never enters your A. How many rows does each point give?",
+            also=[wrong.only_rows_of_v],
+            explains=wrong.one_row_alone,
         ),
         Misconception(
             wrong.v_for_u,
@@ -184,6 +199,11 @@ DECOMPOSE_PROJECTION = Exercise(
         Misconception(
             wrong_parts.last_column_without_K,
             "K and R are right. The last column of P is K times t: what did you do about K?",
+        ),
+        Misconception(
+            wrong_parts.rotation_before_K,
+            "Your three answers are right. In which order are they asked for?",
+            also=[wrong_parts.centre_before_R, wrong_parts.centre_first, wrong_parts.turned_round],
         ),
         Misconception(
             wrong_parts.sign_of_the_centre,

@@ -51,6 +51,10 @@ SOLVE_ONE_UNKNOWN = Exercise(
             also=[wrong.divided_by_the_sum, wrong.divided_by_the_number],
         ),
         Misconception(
+            wrong.divided_by_29,
+            "You divide by the number of the example. From which numbers did it come there?",
+        ),
+        Misconception(
             wrong.divided_by_b,
             "Which side has the errors: a or b? And with which of them do you multiply both sides?",
         ),

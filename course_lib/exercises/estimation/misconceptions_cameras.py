@@ -154,3 +154,55 @@ def v_for_u(points, pixels):
 def last_row_of_a_parallel_camera(points, pixels):
     X = np.column_stack([points, np.ones(len(points))])
     return np.vstack([np.linalg.lstsq(X, pixels)[0].T, [0, 0, 0, 1]])
+
+
+def only_the_points_normalised(points, pixels):
+    p, T_points = normalised(points)
+    return _shortest(_design(p, pixels)) @ T_points
+
+
+def _with_rows(points: Any, pixels: Any, change: Any) -> Any:
+    """Change the rows of v, here every second one, before solving."""
+    A = _design(normalised(points)[0], normalised(pixels)[0])
+    return _undone_all(change(A), points, pixels)
+
+
+def plus_in_the_rows_of_v(points, pixels):
+    def change(A: Any) -> Any:
+        A[1::2, 8:] *= -1
+        return A
+
+    return _with_rows(points, pixels, change)
+
+
+def plus_in_the_rows_of_u(points, pixels):
+    def change(A: Any) -> Any:
+        A[::2, 8:] *= -1
+        return A
+
+    return _with_rows(points, pixels, change)
+
+
+def v_where_u_begins(points, pixels):
+    def change(A: Any) -> Any:
+        A[1::2, :8] = A[::2, :8]
+        return np.concatenate([A[::2], A[1::2]])
+
+    return _with_rows(points, pixels, change)
+
+
+def only_rows_of_u(points, pixels):
+    return _with_rows(points, pixels, lambda A: A[::2])
+
+
+def only_rows_of_v(points, pixels):
+    return _with_rows(points, pixels, lambda A: A[1::2])
+
+
+def one_row_alone(case: Any, given: Any) -> bool:
+    """Whether an answer is what the rows of one coordinate leave: the other row of P, alone."""
+    P = np.asarray(given, dtype=float)
+    if P.shape != (3, 4) or not np.isfinite(P).all():
+        return P.shape == (3, 4)  # divided by a last number of zero
+    lengths = np.sort(np.linalg.norm(normalised(case.inputs["pixels"])[1] @ P, axis=1))
+    return bool(lengths[1] < 1e-6 * lengths[2])

@@ -53,6 +53,10 @@ def divided_by_the_number(a, b):
     return a @ b / len(a)
 
 
+def divided_by_29(a, b):
+    return a @ b / 29
+
+
 def divided_by_b(a, b):
     return b @ b / (a @ b)
 

@@ -190,3 +190,22 @@ def sign_of_the_centre(P):
 def t_for_the_centre(P):
     K, R, centre = _right(P)
     return K, R, -R @ centre
+
+
+def rotation_before_K(P):
+    K, R, centre = _right(P)
+    return R, K, centre
+
+
+def centre_before_R(P):
+    K, R, centre = _right(P)
+    return K, centre, R
+
+
+def centre_first(P):
+    K, R, centre = _right(P)
+    return centre, K, R
+
+
+def turned_round(P):
+    return _right(P)[::-1]

@@ -151,3 +151,29 @@ def rows_from_the_bottom(pixels, residuals, image_size, shape):
 def divided_by_all_points(pixels, residuals, image_size, shape):
     cells = _cells(pixels, image_size, shape)
     return _table(cells, residuals, shape, lambda inside: inside.sum(axis=0) / len(residuals))
+
+
+def cells_rounded_unclipped(pixels, residuals, image_size, shape):
+    row, column = np.round((pixels + 0.5) / image_size * shape[::-1]).T[::-1]
+    return _table((row, column), residuals, shape, _mean)
+
+
+def _begun(table: Any, count: int) -> Any:
+    """Leave only so many cells of a table, row by row."""
+    left = np.zeros_like(table)
+    left.reshape(-1, 2)[:count] = table.reshape(-1, 2)[:count]
+    return left
+
+
+def returned_after_one_cell(pixels, residuals, image_size, shape):
+    return _begun(_table(_cells(pixels, image_size, shape), residuals, shape, _mean), 1)
+
+
+def returned_after_one_row(pixels, residuals, image_size, shape):
+    return _begun(_table(_cells(pixels, image_size, shape), residuals, shape, _mean), shape[1])
+
+
+def returned_after_one_filled_cell(pixels, residuals, image_size, shape):
+    row, column = _cells(pixels, image_size, shape)
+    table = _table((row, column), residuals, shape, _mean)
+    return _begun(table, int((row * shape[1] + column).min()) + 1)

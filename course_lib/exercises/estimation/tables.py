@@ -43,6 +43,7 @@ CORRECTION_TABLE = Exercise(
         Misconception(
             wrong.cells_rounded,
             "A pixel near the end of the first cell: does rounding leave it in that cell?",
+            also=[wrong.cells_rounded_unclipped],
         ),
         Misconception(
             wrong.sum_for_mean,
@@ -87,6 +88,12 @@ CORRECTION_TABLE = Exercise(
         Misconception(
             wrong.rows_from_the_bottom,
             "In which direction does v grow in a picture: up or down?",
+        ),
+        Misconception(
+            wrong.returned_after_one_cell,
+            "Only the beginning of your table is filled. How far to the right does your last line "
+            "begin: does it belong to a loop?",
+            also=[wrong.returned_after_one_row, wrong.returned_after_one_filled_cell],
         ),
         Misconception(
             wrong.divided_by_all_points,
