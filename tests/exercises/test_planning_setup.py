@@ -159,7 +159,7 @@ def test_giving_up_one_demand_altogether_earns_nothing(settings):
     [
         (None, "does one of your demands reject every pair"),
         (3.0, "A dictionary with the keys camera, lens, distance, N, exposure_time was expected"),
-        ({"camera": 0}, "not the keys camera"),
+        ({"secret": 0}, "was expected, not a dictionary with others"),
         ({"camera": 7}, "`camera` must be one of the numbers 0 to 2"),
         ({"lens": 0.5}, "`lens` is a number; its number in the list was expected, from 0"),
         ({"camera": float("nan")}, "its number in the list"),
@@ -175,10 +175,11 @@ def test_giving_up_one_demand_altogether_earns_nothing(settings):
 )
 def test_what_is_no_set_up_is_told_why(plan, words):
     inputs = posed("bright")
-    complete = isinstance(plan, dict) and (len(plan) > 1 or "not the keys" not in words)
+    complete = isinstance(plan, dict) and "secret" not in plan
     given = plan_setup(**inputs) | plan if complete else plan
     mismatch = demands.judge_demand("light", given, inputs)
     assert re.search(words, mismatch.message), mismatch.message
+    assert "secret" not in mismatch.message  # no text of a student's reaches the verdict
 
 
 @pytest.mark.parametrize("draw", DRAWS)

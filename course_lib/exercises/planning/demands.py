@@ -27,7 +27,7 @@ def broken(plan: Any, inputs: Inputs) -> str:
             "your demands reject every pair?"
         )
     if not isinstance(plan, dict) or set(plan) != set(KEYS):
-        got = f"the keys {', '.join(map(str, plan))}" if isinstance(plan, dict) else describe(plan)
+        got = "a dictionary with others" if isinstance(plan, dict) else describe(plan)
         return f"A dictionary with the keys {', '.join(KEYS)} was expected, not {got}."
     for key, several in (("camera", "cameras"), ("lens", "lenses")):
         if reason := _no_index(plan[key], key, len(inputs[several])):
