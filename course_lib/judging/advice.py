@@ -12,6 +12,13 @@ DOMAIN = (
 )
 ROWS = "The rows of a matrix come as one list, with brackets of its own: `np.array([[…], […]])`."
 NONE = "Something here is None. Has a search found nothing, or does a function lack its `return`?"
+HYPOT = "`np.hypot` takes the two sides one by one: `np.hypot(a, b)`, or `np.hypot(*sides)`."
+LIST = "A list cannot be computed with. Make it an array: `np.array(…)`."
+ONE = "This works for one number only; NumPy has it for arrays too."
+SEVERAL = "A function gave several values, and they have one name together. Name each: `a, b = …`."
+SHAPE = "The sizes of an array come as one, with brackets of their own: `np.zeros((3, 4, 2))`."
+ENTRY = "Several numbers do not fit into one entry. Print both shapes: is an axis missing?"
+COLUMN = "Print both shapes. A single 1 is no column: a row each needs one, `np.ones(len(points))`."
 
 #: Name of the exception, a piece of its message, and what it most often means.
 ADVICE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
@@ -30,12 +37,9 @@ ADVICE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "'tuple'",
         "A tuple cannot be computed with. Make it an array: `np.array(…)`.",
     ),
-    ("TypeError", "'list'", "A list cannot be computed with. Make it an array: `np.array(…)`."),
-    (
-        "AttributeError",
-        "'list'",
-        "A list cannot be computed with. Make it an array: `np.array(…)`.",
-    ),
+    ("TypeError", "'list'", LIST),
+    ("AttributeError", "'list'", LIST),
+    ("AttributeError", "'tuple'", SEVERAL),
     (
         "TypeError",
         "multiply sequence",
@@ -47,11 +51,7 @@ ADVICE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "One number cannot be taken apart. A loop over a single point of shape (3,) gives its "
         "numbers, one by one.",
     ),
-    (
-        "TypeError",
-        "hypot() takes",
-        "`np.hypot` takes the two sides one by one: `np.hypot(a, b)`, or `np.hypot(*sides)`.",
-    ),
+    ("TypeError", "hypot() takes", HYPOT),
     (
         "TypeError",
         "arctan2() takes",
@@ -59,12 +59,11 @@ ADVICE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
     ),
     ("TypeError", "'NoneType'", NONE),
     ("AttributeError", "'NoneType'", NONE),
-    ("TypeError", "only 0-dim", "This works for one number only; NumPy has it for arrays too."),
-    (
-        "TypeError",
-        "only length-1",
-        "This works for one number only; NumPy has it for arrays too.",
-    ),
+    ("TypeError", "only 0-dim", ONE),
+    ("TypeError", "only length-1", ONE),
+    ("TypeError", "as a data type", SHAPE),
+    ("ValueError", re.compile(r"with a sequence\.$"), ENTRY),
+    ("ValueError", re.compile("along dimension 0.* at index 1 has size 1$"), COLUMN),
     ("TypeError", "not subscriptable", "One number has no parts that `[…]` could pick."),
     (
         "TypeError",
@@ -257,7 +256,8 @@ ADVICE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "ValueError",
         "truth value",
         "An `if` needs one yes or no, and this is an array: print its shape. Should it be one "
-        "number? Then an array before it has an axis too many. For arrays there is `np.where`.",
+        "number? Then an array before it has an axis too many. Comparisons of arrays are joined by "
+        "`&`, each in brackets: `(a > 0) & (b > 0)`. To choose one by one there is `np.where`.",
     ),
     (
         "ValueError",

@@ -212,3 +212,25 @@ def test_a_system_lying_on_its_side():
 
 def test_an_array_for_a_yes_or_no_can_have_an_axis_too_many():
     assert "an axis too many" in said(lambda b: 1 if b < 0 else 2, np.arange(6.0))
+
+
+def test_slips_in_a_table_of_cells():
+    row, column = np.array([0, 1]), np.array([1, 1])
+    for joined in (lambda: (row == 0) and (column == 1), lambda: row == 0 & column == 1):
+        assert "joined by `&`" in said(joined)
+    assert "`np.zeros((3, 4, 2))`" in said(lambda: np.zeros(6, 8, 2))
+
+    def filled():
+        table = np.zeros((6, 8))
+        table[0, 0] = np.ones(2)
+
+    assert "is an axis missing?" in said(filled)
+
+
+def test_one_number_for_a_column():
+    for points in (np.ones((4, 2)), np.ones(2)):
+        assert "`np.ones(len(points))`" in said(lambda p=points: np.column_stack([p, 1]))
+
+
+def test_several_values_under_one_name():
+    assert "Name each" in said(lambda: (np.ones((4, 2)), np.eye(3)).T)

@@ -119,7 +119,9 @@ def circle_to_ellipse() -> Figure:
             tip = matrix @ way
             arrow = {"arrowstyle": "-|>", "color": ROLES[role], "lw": 2.5, "shrinkA": 0}
             ax.annotate("", xy=tuple(tip), xytext=(0, 0), arrowprops={**arrow, "shrinkB": 0})
-        ax.set(title=title, xlim=(-2.8, 2.8), ylim=(-2.6, 2.6), aspect="equal")
+        ax.set(
+            title=title, xlim=(-2.8, 2.8), ylim=(-2.6, 2.6), aspect="equal", xticks=[], yticks=[]
+        )
     write(axes[0], (0.85, -1.05), "last row of Vᵀ", "object", ha="left")
     write(axes[1], (0.85, -1.05), "shortest: 1", "object", ha="left")
     write(axes[1], (0.5, 2.0), "longest: 3", "guide", ha="right")
