@@ -7,16 +7,21 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from course_lib.exercises.planning import plain
+from course_lib.exercises.planning.plain import aperture_window
 from course_lib.judging import Case
 from course_lib.judging.comparison import Mismatch, describe
 
 Inputs = dict[str, Any]
 KEYS = ("camera", "lens", "distance", "N", "exposure_time")
 WAVELENGTH_UM = 0.55
-window: Callable[..., tuple[float, float]] = plain.aperture_window
 ROUNDING = 1e-9
 HOPELESS = 10  # times: a demand missed so far shows that no set-up was looked for
+
+
+def window(f_mm: float, near: float, far: float, spot_um: float) -> Any:
+    """Return the f-numbers between which a depth range is sharp, in green light."""
+    compute: Any = aperture_window
+    return compute(f_mm, near, far, spot_um, WAVELENGTH_UM)
 
 
 def broken(plan: Any, inputs: Inputs) -> str:
@@ -68,7 +73,7 @@ def shares(plan: Inputs, inputs: Inputs) -> dict[str, float]:
     near, far = plan["distance"] - task["depth"] / 2, plan["distance"] + task["depth"] / 2
     pixel = camera["pitch_um"] / 1000 / lens["f_mm"]  # at 1 m, m
     spot_um = task["blur_px"] * camera["pitch_um"]
-    least, most = window(lens["f_mm"], near, far, spot_um, WAVELENGTH_UM)
+    least, most = window(lens["f_mm"], near, far, spot_um)
     focus = 2 * near * far / (near + far)
     return {
         "in view": max(

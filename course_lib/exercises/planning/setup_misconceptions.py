@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from course_lib.exercises.planning.demands import WAVELENGTH_UM, window
+from course_lib.exercises.planning.demands import window
 
 Inputs = dict[str, Any]
 
@@ -37,7 +37,7 @@ def search(task: Any, cameras: Any, lenses: Any, moves: float = 1.0, in_front: b
             p, f = camera["pitch_um"] / 1e6, lens["f_mm"] / 1e3
             near = nearest(task, camera, f, p, lens["closest"], moves)
             spot, far = task["blur_px"] * camera["pitch_um"], near + task["depth"]
-            least, most = window(lens["f_mm"], near, far, spot, WAVELENGTH_UM)
+            least, most = window(lens["f_mm"], near, far, spot)
             N, time = max(least, lens["N_least"]), longest(task, near, f, p)
             if fits(task, camera, lens, near if in_front else far, N, most, time):
                 plan = {"camera": number, "lens": other, "distance": (near + far) / 2}
