@@ -20,7 +20,7 @@ SIZE = (400, 300)  # px of the camera's picture as it is drawn
 PLAN_SIZE, ZOOM_SIZE = (300, 300), (300, 300)
 K = np.array([[820.0, 0, 319.5], [0, 820, 239.5], [0, 0, 1]])
 PLATE = np.array([[-30.0, -30, 0], [450, -30, 0], [450, 330, 0], [-30, 330, 0]])  # mm
-PLAN = Plot((12, 288, 12, 288), (-150, 950), (-650, 450))
+PLAN = Plot((8, 292, 8, 292), (-60, 860), (-560, 360))
 REACH = 100.0  # mm: half the width of the enlarged view, always the same so that one can compare
 
 
@@ -170,7 +170,7 @@ def _cloud(plot: Plot, found: Floats, outline: Floats | None) -> list[Line]:
     """Return the true centre as a ring, the found ones as spots, and their ellipse."""
     centre = _camera().centre
     spots = plot.pixels(found[:, 0], found[:, 1])
-    lines = [Line(disc(at, 2.5), "object", 1.0, closed=True, fill=1.0) for at in spots]
+    lines = [Line(disc(at, 3.5), "object", 1.0, closed=True, fill=1.0) for at in spots]
     if outline is not None:
         lines.append(Line(plot.pixels(*outline.T), "object", 1.5))
     true = plot.pixels(centre[0], centre[1])[0]
