@@ -52,8 +52,8 @@ def find_degeneracy(
 
     If nearly all pairs fit a homography within the threshold, the plane's homography is all that
     they tell. "none" is no proof: it is the answer too where the threshold is less than the errors
-    of the pixels, or where more than a tenth of the pairs are wrong. A camera that only turned has such a homography too; intrinsics tell
-    whether it is one.
+    of the pixels, or where more than a tenth of the pairs are wrong. A camera that only turned has
+    such a homography too; intrinsics tell whether it is one.
 
     Parameters
     ----------

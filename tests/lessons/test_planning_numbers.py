@@ -152,7 +152,7 @@ def test_the_set_ups_compared():
     missed = [[n for n, v in d.items() if not v.met] for d in (good, turned, short)]
     assert missed[0] == []
     assert {"resolution", "depth of field"} <= set(missed[1])
-    least, diffraction, light, *_ = draw.limits(np.radians(30))
+    least, _, light, *_ = draw.limits(np.radians(30))
     assert light < least == about(13.6, 1)
     says("f/13.6, which would make them sharp, is too dark")
     assert turned["expected σ"].value < 0.55 * good["expected σ"].value
