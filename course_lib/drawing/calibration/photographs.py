@@ -67,7 +67,7 @@ def _computed() -> tuple[Grey, ...]:
     seen = observe_board(rng, BOARD.points(), K, LENS, SIZE, views=60, tilt=0.4)
     inside = [min(p.min(), (SIZE - p).min()) > 25 for p in seen.pixels]
     poses = [pose for pose, whole in zip(seen.poses, inside, strict=True) if whole][: len(NAMES)]
-    return tuple(board_photograph(R, t, rng) for R, t in poses)
+    return tuple(computed_photograph(R, t, rng) for R, t in poses)
 
 
 @cache
@@ -77,7 +77,7 @@ def _lens() -> tuple[Floats, tuple[int, int], NDArray[np.float32]]:
     return wide, size, mesh_map(lambda pixels: undistort_pixels(pixels, K, LENS, wide), SIZE)
 
 
-def board_photograph(R: Floats, t: Floats, rng: np.random.Generator) -> Grey:
+def computed_photograph(R: Floats, t: Floats, rng: np.random.Generator) -> Grey:
     """Return a computed photograph of the board by the camera `K` with the distortion `LENS`.
 
     Parameters

@@ -17,7 +17,7 @@ from course_lib.drawing.calibration.photographs import (
     LENS,
     SIZE,
     K,
-    board_photograph,
+    computed_photograph,
     grey_file,
 )
 from course_lib.drawing.distortion.boards import PHOTOGRAPHS
@@ -106,7 +106,7 @@ def computed_boards() -> StereoBoards:
         corners = np.array([(BOARD.points() @ A.T + a) @ K.T for A, a in poses])
         pixels = corners[..., :2] / corners[..., 2:]
         if min(pixels.min(), (SIZE - pixels).min()) > EDGE and len(made) < len(PHOTOGRAPHS):
-            left, right = (board_photograph(A, a, rng) for A, a in poses)
+            left, right = (computed_photograph(A, a, rng) for A, a in poses)
             made.append((left, right))
     return _calibrated(*zip(*made, strict=True))
 
