@@ -133,10 +133,12 @@ class Problem(Generic[G]):
     hypotheses: Callable[[NDArray[np.intp], int], Array]
     geometry: Callable[[Array], G | None]
 
+    @np.errstate(over="ignore", invalid="ignore")
     def losses(self, F: Array, which: NDArray[np.intp] | slice) -> Array:
         """Return what the errors of some pairs cost, for many matrices, (M, 3, 3) to (M,).
 
         It is their squares, at most 1 each (MSAC); in single precision, good enough for an order.
+        What single precision cannot hold fits nothing.
         """
         F = F.astype(np.float32)
         x1, x2 = (x[:, which].astype(np.float32) for x in (self.x1, self.x2))
@@ -150,7 +152,7 @@ class Problem(Generic[G]):
             square += part
         square *= np.float32(self.threshold**2)
         e *= e
-        return np.asarray(np.minimum(e / (square + np.float32(1e-30)), 1).sum(axis=1))
+        return np.asarray(np.fmin(e / (square + np.float32(1e-30)), 1).sum(axis=1))
 
     def improved(self, geometry: G) -> G:
         """Return a hypothesis after a few steps with all pairs."""

@@ -20,6 +20,8 @@ LIBRARY = "/course"
 #: What a program needs of the system, where it is there.
 SYSTEM = ("/usr", "/lib", "/lib32", "/lib64", "/bin", "/sbin", "/etc/ld.so.cache", "/etc/fonts")
 SYSTEM_TOO = ("/etc/localtime", "/etc/alternatives", "/etc/ssl/openssl.cnf")
+#: Folders of which every submission has its own; nothing else can be seen in them.
+COVERED = ("/tmp", "/dev", "/proc")
 #: What a submission finds in its environment, and nothing else.
 ENVIRONMENT = {
     "HOME": "/tmp",
@@ -104,15 +106,15 @@ def build_walls(isolation: Isolation, library: Path, line: int, number: int) -> 
         Which of the servers it is.
     """
     environment = ENVIRONMENT | {k: os.environ[k] for k in INHERITED if k in os.environ}
-    serve = (sys.executable, "-P", "-m", "course_lib.sandbox.server", str(line))
+    module = ("-P", "-m", "course_lib.sandbox.server", str(line))
     if isolation == "none":
         own = {"PYTHONPATH": str(library), "MPLCONFIGDIR": str(library), "HOME": str(library)}
-        return Walls(serve, environment | own, 0, walled=False)
+        return Walls((sys.executable, *module), environment | own, 0, walled=False)
     root = os.getuid() == 0
     bwrap = (shutil.which("bwrap") or "bwrap", *_rights(root), *_sight(library))
     environment |= {"PYTHONPATH": LIBRARY}
     user = FIRST_USER + (13 * os.getpid() + number) % USERS if root else 0
-    return Walls((*bwrap, "--", *serve), environment, user, True)
+    return Walls((*bwrap, "--", behind(sys.executable), *module), environment, user, True)
 
 
 def _rights(root: bool) -> Iterator[str]:
@@ -137,10 +139,10 @@ def _sight(library: Path) -> Iterator[str]:
             yield from ("--ro-bind", path, path)
     for folder in _python_folders():
         if not folder.startswith("/usr/"):
-            for above in reversed(Path(folder).parents):  # bubblewrap would make them private
+            for above in reversed(Path(behind(folder)).parents):  # bubblewrap makes them private
                 yield from ("--perms", "0755", "--dir", str(above))
-            yield from ("--ro-bind", folder, folder)
-    for package in _own_packages():
+            yield from ("--ro-bind", folder, behind(folder))
+    for package in map(behind, _own_packages()):
         yield from ("--tmpfs", package, "--remount-ro", package)
     yield from ("--ro-bind", str(library), LIBRARY)
     anybody = ("--perms", "1777")
@@ -158,6 +160,18 @@ def _python_folders() -> Sequence[str]:
     found = {sys.prefix, sys.base_prefix, sys.exec_prefix, str(real), *site.getsitepackages()}
     folders = sorted(os.path.abspath(folder) for folder in found if os.path.isdir(folder))
     return [f for f in folders if not any(f.startswith(f"{other}/") for other in folders)]
+
+
+def behind(path: str) -> str:
+    """Return where a path of this Python lies behind the walls.
+
+    It stays where it is, unless that is in a folder of which every submission has its own.
+    """
+    for number, folder in enumerate(_python_folders()):
+        if path == folder or path.startswith(f"{folder}/"):
+            covered = any(folder.startswith(f"{own}/") for own in COVERED)
+            return f"/python{number}{path.removeprefix(folder)}" if covered else path
+    return path
 
 
 def _own_packages() -> Iterator[str]:

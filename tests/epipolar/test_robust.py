@@ -55,6 +55,16 @@ def test_a_turn_alone_is_named():
         ransac_fundamental(s.points1, s.points2, rng())
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_pairs_beyond_single_precision_do_no_harm(seed):
+    points1, points2 = np.zeros((2, 10, 2))
+    points1[7], points1[9] = [0, 1], [1, -1]
+    points2[8], points2[9] = [0, 3515659678.0], [16262, 58327]
+    F, fits = ransac_fundamental(points1, points2, rng(seed), threshold=1.0)
+    assert np.isfinite(F).all()
+    assert fits[:7].all()
+
+
 def test_exact_pairs_are_fitted_exactly():
     s = scene(3, count=60, noise=0)
     F, fits = ransac_fundamental(s.points1, s.points2, rng())

@@ -27,6 +27,15 @@ def test_everything_holds_here(nests):
     assert try_out(SMALL, nests) == [(name, True) for name, *_ in TRIALS]
 
 
+def test_a_python_in_a_temporary_folder_is_moved_out_of_it(monkeypatch):
+    """Each submission has a /tmp of its own, in which a Python could not be seen."""
+    monkeypatch.setattr(isolation, "_python_folders", lambda: ["/opt/python", "/tmp/here/.venv"])
+    assert isolation.behind("/tmp/here/.venv/bin/python") == "/python1/bin/python"
+    assert isolation.behind("/tmp/here/.venv") == "/python1"
+    assert isolation.behind("/opt/python/bin/python") == "/opt/python/bin/python"
+    assert isolation.behind("/tmp/here/.venv2/bin/python") == "/tmp/here/.venv2/bin/python"
+
+
 @pytest.mark.slow
 @walled
 @pytest.mark.parametrize("nests", [True, False])
