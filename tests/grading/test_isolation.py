@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from walls import walled
 
 from course_lib.grading import isolation
 from course_lib.grading.answering_library import make_library
@@ -14,7 +15,6 @@ from course_lib.grading.isolation import NoIsolationError, build_walls, demand, 
 from course_lib.grading.servers import Job, Server
 from course_lib.sandbox.limits import Allowance
 
-walled = pytest.mark.skipif(bool(why_not()), reason=why_not())
 ROOT = Path(__file__).resolve().parents[2]
 SMALL = Allowance(memory=1_500_000_000, processes=30, files=50_000_000)
 ANYBODY = 60_400

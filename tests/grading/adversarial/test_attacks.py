@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from attacks import FORGERIES, HARM, LEAKS, OUTSIDE, RIGHT, VALUES, Attack
 from nbformat.v4 import new_code_cell, new_notebook
+from walls import walled
 
 from course_lib.exercises import find
-from course_lib.grading.isolation import why_not
 from course_lib.grading.marking import mark
 from course_lib.grading.outside import Judge, Submitted
 from course_lib.grading.seeding import write_key
@@ -21,7 +21,7 @@ from course_lib.judging import pose, seed_for
 from course_lib.judging.text import to_text
 from course_lib.sandbox.limits import Allowance
 
-pytestmark = [pytest.mark.slow, pytest.mark.skipif(bool(why_not()), reason=why_not())]
+pytestmark = [pytest.mark.slow, walled]
 SECOND = (
     "def pixel_focal_length(focal_length, sensor_size, image_size):\n"
     "    return tuple(focal_length * n / s for n, s in zip(image_size, sensor_size))"
