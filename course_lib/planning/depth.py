@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from course_lib.checks import check_length
-from course_lib.optics import aperture_for_depth, magnification
+from course_lib.optics import airy_diameter, aperture_for_depth, magnification
 
 
 @dataclass(frozen=True)
@@ -82,6 +82,5 @@ def aperture_window(
     wavelength = check_length(wavelength_um, "wavelength_um") / 1000
     least, focus = aperture_for_depth(f_mm, 1000 * near, 1000 * far, c)
     m = magnification(f_mm, focus)
-    return ApertureWindow(
-        float(least), float(c / (2.44 * wavelength * (1 + m))), float(focus) / 1000
-    )
+    most = c / airy_diameter(wavelength, 1 + m)  # the disk grows with N
+    return ApertureWindow(float(least), float(most), float(focus) / 1000)
