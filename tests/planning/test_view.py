@@ -36,8 +36,10 @@ class TestBox:
         assert len(local) == 12 * 33
         np.testing.assert_array_equal((np.abs(np.abs(local) - 1) < 1e-9).sum(axis=1) >= 2, True)
 
-    def test_a_cube_has_twelve_edges_too(self):
-        assert len(Box([1, 1, 1]).outline) == 12 * 33
+    def test_edges_have_the_lengths_of_the_box(self):
+        start, end = Box([1, 2, 3]).edges.swapaxes(0, 1)
+        lengths = np.linalg.norm(end - start, axis=1)
+        np.testing.assert_allclose(sorted(lengths), [1] * 4 + [2] * 4 + [3] * 4)
 
     def test_with_motion_grows_to_both_sides(self):
         np.testing.assert_array_equal(Box([1, 1, 1]).with_motion([0.1, 0, 0.2]).size, [1.2, 1, 1.4])

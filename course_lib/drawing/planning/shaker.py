@@ -19,7 +19,7 @@ from course_lib.drawing.planning.panel import (
 )
 from course_lib.drawing.space import onlooker, show_face, show_frustum, show_path
 from course_lib.drawing.style import FULL_WIDTH, ROLES
-from course_lib.planning import Box, Setup, box_in_view
+from course_lib.planning import Setup, box_in_view
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -45,7 +45,7 @@ def rig() -> Figure:
     """
     fig, ax = panels(1, 1, (FULL_WIDTH, 3.5))
     view = onlooker((2.9, -3.6, 1.9), (0.02, -0.95, -0.02), 1150, (900, 440))
-    for start, end in box_edges(BOX):
+    for start, end in BOX.edges:
         show_path(ax, view, [start, end], "object", lw=1.3)
     plate = BOX.corners[[2, 3, 7, 6]]
     show_face(ax, view, plate, "object", alpha=0.15)
@@ -61,12 +61,6 @@ def rig() -> Figure:
     ax.set(xlim=(20, 920), ylim=(425, 45), aspect="equal")
     ax.axis("off")
     return fig
-
-
-def box_edges(box: Box) -> list[tuple[Floats, Floats]]:
-    """Return the twelve edges of a box, as pairs of corners."""
-    outline = box.outline.reshape(12, -1, 3)
-    return [(edge[0], edge[-1]) for edge in outline]
 
 
 @figure("A star at the near end of the panel, as planned, out of focus, smeared, and too dark.")
@@ -113,7 +107,7 @@ def box_in_picture(setup: Setup | None = None) -> Figure:
     _, picture = overview(setup, 512)
     fig, ax = panels(1, 1, (FULL_WIDTH * 0.66, 5.0))
     _show(ax, setup, picture)
-    for start, end in box_edges(BOX.with_motion(TASK.motion)):
+    for start, end in BOX.with_motion(TASK.motion).edges:
         ax.plot(*setup.view.project([start, end]).T, color=ROLES["ray"], lw=1.5)
     ax.plot(*seen.pixels.T, "o", color=ROLES["ray"], ms=5)
     _rooms(ax, setup, seen.margins)
