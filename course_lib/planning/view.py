@@ -69,13 +69,13 @@ class Box:
         """The two ends of each of the twelve edges in the world, shape (12, 2, 3), m."""
         # The binary digits of a corner's number are its sides; along an edge one digit changes.
         ends = [(n, n + step) for step in (4, 2, 1) for n in range(8) if not n & step]
-        return self.corners[np.array(ends)]
+        return np.asarray(self.corners[np.array(ends)])
 
     @property
     def outline(self) -> Array:
         """Points along the twelve edges in the world, shape (396, 3), m."""
         start, end = self.edges.swapaxes(0, 1)[:, :, None]
-        return (start + ALONG * (end - start)).reshape(-1, 3)
+        return np.asarray((start + ALONG * (end - start)).reshape(-1, 3))
 
     def with_motion(self, motion: ArrayLike) -> Box:
         """Return the box that holds this one wherever it moves.
