@@ -85,6 +85,9 @@ def with_wrong_pairs(seed: int, right: int, wrong: int, noise: float) -> Known:
             normals[~is_right] * [1, -1]
         )
         samples = draw_samples(rng, is_right)
+        if not beyond_doubt(one, other, is_right, samples):
+            continue
+        samples[[0, -1]] = [among_themselves(rng, one, other, is_right) for _ in range(2)]
         if beyond_doubt(one, other, is_right, samples):
             inputs = {"points1": one, "points2": other, "samples": samples, "threshold": THRESHOLD}
             return Known(inputs, (eight_point(one[is_right], other[is_right]), is_right))
@@ -96,6 +99,25 @@ def draw_samples(rng: Generator, is_right: NDArray[np.bool_]) -> NDArray[np.intp
     every, good = np.arange(len(is_right)), np.flatnonzero(is_right)
     rows = [rng.choice(good if i in chosen else every, 8, replace=False) for i in range(6)]
     return np.array(rows)
+
+
+def among_themselves(
+    rng: Generator,
+    one: NDArray[np.float64],
+    other: NDArray[np.float64],
+    is_right: NDArray[np.bool_],
+) -> NDArray[np.intp]:
+    """Draw a sample with a wrong pair whose eight pairs fit their own F: one in ten or twenty."""
+    while True:
+        sample = rng.choice(len(is_right), 8, replace=False)
+        F = eight_point(one[sample], other[sample])
+        if not is_right[sample].all() and agree(one[sample], other[sample], F):
+            return sample
+
+
+def agree(one: NDArray[np.float64], other: NDArray[np.float64], F: NDArray[np.float64]) -> bool:
+    """Tell whether all pairs fit."""
+    return bool((sampson_error(one, other, F) < THRESHOLD).all())
 
 
 def beyond_doubt(

@@ -26,9 +26,11 @@ RANSAC_FUNDAMENTAL = Exercise(
     misconceptions=[
         Misconception(
             wrong.last_sample,
-            "Few pairs fit your F. What decides which sample you keep: its place, its errors, or "
-            "how many pairs fit?",
+            "Few pairs fit your F. What decides which sample you keep: its place, its errors, "
+            "whether its own eight pairs fit, or how many of all pairs fit?",
             also=[
+                wrong.agreement_of_the_sample,
+                wrong.agreement_of_the_sample_last,
                 wrong.last_sample_not_refined,
                 wrong.first_sample,
                 wrong.smallest_sum_of_errors,

@@ -53,6 +53,18 @@ def smallest_sum_of_errors(points1, points2, samples, threshold):
     return from_those(points1, points2, fits)
 
 
+def agreement_of_the_sample(points1, points2, samples, threshold):
+    found = in_turn(points1, points2, samples, threshold)
+    asked = [fits[sample].sum() for (_, fits), sample in zip(found, samples, strict=True)]
+    return from_those(points1, points2, found[int(np.argmax(asked))][1])
+
+
+def agreement_of_the_sample_last(points1, points2, samples, threshold):
+    found = in_turn(points1, points2, samples, threshold)
+    asked = [fits[sample].sum() for (_, fits), sample in zip(found, samples, strict=True)]
+    return from_those(points1, points2, found[len(asked) - 1 - int(np.argmax(asked[::-1]))][1])
+
+
 def fewest_fits(points1, points2, samples, threshold):
     worst = tried(points1, points2, samples, threshold)[-1]
     return from_those(points1, points2, worst[1])
