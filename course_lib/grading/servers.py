@@ -67,12 +67,13 @@ class Conversation:
         deadline, taken = time.monotonic() + seconds, 0
         try:
             while taken < MOST_OUTPUT:
-                said = wire.receive(self._talk, deadline - time.monotonic())
-                if said == "done":
+                message = wire.receive_message(self._talk, deadline - time.monotonic())
+                said = wire.decode(message)
+                if isinstance(said, str) and said == "done":
                     self.finished = True
                     return
+                taken += len(message)
                 self._note(said)
-                taken += sum(len(str(output)) for output in said.get("outputs", ()))
             self.reason = "output"
         except wire.Late:
             self.reason = "time"

@@ -60,9 +60,9 @@ def vet(
         return Answer(
             "not attempted", message=what_is_missing(exercise, reply["missing"])
         ), frozenset()
-    if reply.get("status") not in get_args(Status):
+    status = _status(reply.get("status"))
+    if status is None:
         return crashed(), frozenset()
-    status: Status = reply["status"]
     hidden = frozenset(name for name in _texts(reply.get("hidden")) if "." in name)
     own = own_names(exercise)
     message = _text(reply.get("message"))
@@ -92,9 +92,13 @@ def crashed() -> Answer:
 def what_is_missing(exercise: Exercise, found: Any) -> str:
     """Say that there is no function, or something else under its name."""
     name = exercise.function_name
-    if found == "":
+    if isinstance(found, str) and not found:
         return f"There is no function `{name}`. Was there an error in red when its cell was run?"
     return f"`{name}` is no function here. Keep the line that begins with `def`."
+
+
+def _status(said: Any) -> Status | None:
+    return next((s for s in get_args(Status) if isinstance(said, str) and s == said), None)
 
 
 def _vetted_message(status: str, message: str, seconds: float) -> str:

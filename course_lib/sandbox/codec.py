@@ -22,6 +22,9 @@ from numpy.typing import NDArray
 TEXT_LIMIT, ARRAY_LIMIT = 8_000_000, 24_000_000
 #: How deep values may be nested, in a message and its envelope together.
 DEPTH = 12
+#: How many whole numbers as keys may be larger than Python tells apart at once: among keys with the
+#: same hash it looks through all.
+MOST_LARGE_KEYS, LARGE_KEY = 100, 1 << 60
 HEAD = struct.Struct("!4sII")
 _MAGIC = b"cam1"
 #: Kinds and sizes of arrays that may pass; text arrays besides.
@@ -169,6 +172,8 @@ class _Reader:
     def _dict(self, content: list[Any], depth: int) -> dict[Any, Any]:
         if any(type(key) not in (str, int) for key, _ in content):
             raise MalformedMessageError("a key is neither a text nor a whole number")
+        if sum(type(key) is int and abs(key) >= LARGE_KEY for key, _ in content) > MOST_LARGE_KEYS:
+            raise MalformedMessageError("too many keys are large numbers")
         return {key: self.read(item, depth) for key, item in content}
 
     def _complex(self, content: list[Any], _: int) -> complex:

@@ -10,7 +10,16 @@ from typing import Any
 
 from course_lib.sandbox.codec import HEAD, MalformedMessageError, decode, encode, sizes
 
-__all__ = ["BEGIN", "Closed", "Late", "MalformedMessageError", "receive", "send"]
+__all__ = [
+    "BEGIN",
+    "Closed",
+    "Late",
+    "MalformedMessageError",
+    "decode",
+    "receive",
+    "receive_message",
+    "send",
+]
 
 #: From the grader to a server: begin a job. With it come the ends of its lines: life, talk,
 #: questions.
@@ -60,10 +69,15 @@ def receive(end: socket.socket, seconds: float | None = None, *, trusted: bool =
     MalformedMessageError
         If it is no message.
     """
+    return decode(receive_message(end, seconds), trusted=trusted)
+
+
+def receive_message(end: socket.socket, seconds: float | None = None) -> bytes:
+    """Receive a message as it is, for whoever counts bytes; parameters and errors of `receive`."""
     deadline = None if seconds is None else time.monotonic() + seconds
     head = _exactly(end, HEAD.size, deadline)
     text, space = sizes(head)
-    return decode(head + _exactly(end, text + space, deadline), trusted=trusted)
+    return head + _exactly(end, text + space, deadline)
 
 
 def _exactly(end: socket.socket, size: int, deadline: float | None) -> bytes:

@@ -1,3 +1,4 @@
+import numpy as np
 import pytest
 
 from course_lib.exercises import find
@@ -16,7 +17,13 @@ def vetted(reply):
     return vet(EXERCISE, CASE, reply, LINES, 5.0)
 
 
-@pytest.mark.parametrize("reply", [None, 3, "value", [], {}, {"status": "points", "value": 4.0}])
+@pytest.mark.parametrize(
+    "reply",
+    [
+        None, 3, "value", [], {}, {"status": "points", "value": 4.0}, {"status": []},
+        {"status": np.array(["value", "raised"])},
+    ],
+)  # fmt: skip
 def test_what_is_no_answer_is_a_crash(reply):
     answer, hidden = vetted(reply)
     assert (answer.status, answer.error) == ("raised", CRASHED)
@@ -61,7 +68,8 @@ def test_hidden_functions_count_for_their_own_exercise_only():
 
 def test_a_missing_function_is_said_in_words():
     assert "There is no function `dolly_zoom`" in vetted({"missing": ""})[0].message
-    assert "is no function here" in vetted({"missing": "secret"})[0].message
+    for forged in ("secret", np.array(["", ""]), []):
+        assert "is no function here" in vetted({"missing": forged})[0].message
 
 
 @pytest.mark.parametrize("value", [{"a": 1}, "text", [[1], [2, 3]], 1j, (1, 2), float("nan")])

@@ -96,6 +96,7 @@ def test_what_cannot_be_sent_says_so():
         (b'["dict", [[1], 2]]', b""),
         (b'["dict", [1.5, 2]]', b""),
         (b'["dict", 3]', b""),
+        (b'["dict", %s]' % b",".join(b"[%d, 0]" % (k * (2**61 - 1)) for k in range(200)), b""),
         (b'["bytes", ["list"]]', b""),
         (b'["complex", "x", 1]', b""),
         (b"1", b"left over"),

@@ -100,6 +100,13 @@ FORGERIES = {
         "    try:\n        os.write(n, c.encode('done'))\n    except OSError:\n        pass",
         second=0.0,
     ),
+    "says what is no status": Attack(
+        "import course_lib.sandbox.answers as a, course_lib.sandbox.wire as w, numpy as np\n"
+        "send = w.send\n"
+        "w.send = lambda line, value: send(line, {'status': np.array(['value', 'raised'])})",
+        second=0.0,  # it spoils its own right answer too
+        says="a crash",
+    ),
     "answers twice": Attack(answer=body("import os", "os.fork()", "return 1.0")),
     "looks for the truth on the stack": Attack(
         answer=body(
@@ -325,6 +332,18 @@ HARM = {
     "displays fifty megabytes": Attack("'x' * 50_000_000"),
     "displays a million times": Attack("for n in range(20_000): display(n)"),
     "raises fifty megabytes": Attack("raise ValueError('x' * 50_000_000)"),
+    "floods the grader's memory": Attack(
+        "import os, course_lib.sandbox.codec as c\nimport numpy as np\n"
+        "message = c.encode({'cell': 1, 'outputs': [], 'more': np.zeros(2_000_000)})\n"
+        "while True:\n"
+        "    for n in range(3, 60):\n"
+        "        try:\n"
+        "            left = message\n"
+        "            while left: left = left[os.write(n, left):]\n"
+        "        except OSError:\n            pass",
+        second=0.0,
+        says="printed far too much",
+    ),
     "never ends": Attack("while True: pass", says="stopped after"),
     "never ends and swallows": Attack(
         "while True:\n    try:\n        while True: pass\n    except BaseException: pass",
