@@ -19,9 +19,10 @@ from benchmarks.table import Row
 from tests.browser.lab import Lab, browser, free_port, open_notebook, run_all_cells, write_notebook
 
 MOVES_A_SECOND = 60  # of the mouse while dragging
+SWEEP = 80  # moves from end to end; fewer on a slider that has fewer positions
 #: By chapter: name, function, title, and a slider that no other one of the chapter has: the
-#: peer moves it; ours moves the first.
-EXPLORERS = {
+#: peer moves it. Ours moves the first one, or the one named last, which has more positions.
+EXPLORERS: dict[str, tuple[tuple[str, ...], ...]] = {
     "pinhole": (
         ("aperture explorer", "aperture_explorer", "The hole of a pinhole camera", "d"),
         (
@@ -76,12 +77,12 @@ EXPLORERS = {
         ("disparity", "disparity_explorer", "Disparity of a real pair", "v"),
     ),
     "bundle": (
-        ("reconstruction stepper", "growing_explorer", "A block grows", "turn"),
-        ("control points", "control_point_game", "Place the control points", "x1"),
+        ("reconstruction stepper", "growing_explorer", "A block grows", "turn", "turn"),
+        ("control points", "control_point_game", "Place the control points", "x1", "x1"),
     ),
     "planning": (
         ("set-up planner", "setup_planner", "Plan a set-up", "turn_deg"),
-        ("flight planner", "flight_planner", "Plan a flight", "gsd"),
+        ("flight planner", "flight_planner", "Plan a flight", "gsd", "x1"),
     ),
 }
 
@@ -109,7 +110,9 @@ WATCH = (
     const look = () => {
       const current = sign();
       if (start && current && current !== before) resolve(performance.now() - start);
-      else if (performance.now() > end) reject(new Error(`no new picture: ${selector}`));
+      else if (performance.now() > end) {
+        reject(new Error(`no new picture: ${selector}, which says: ${root.innerText.slice(-500)}`));
+      }
       else requestAnimationFrame(look);
     };
     requestAnimationFrame(look);
@@ -212,19 +215,20 @@ class Mouse:
 def drag(page: Any, mouse: Mouse, contender: Contender, seconds: float) -> None:
     """Drag the contender's slider to and fro; note the pictures a second."""
     handle = page.locator(contender.slider)
-    box = handle.bounding_box()
+    box, sweep = handle.bounding_box(), SWEEP
     track = page.locator(f"{contender.root} .noUi-base")
     if track.count():
         box = track.first.bounding_box()
         handle.hover()
     else:
-        share = handle.evaluate("(s) => (s.value - s.min) / (s.max - s.min)")
+        place, last = handle.evaluate("(s) => [s.value - s.min, s.max - s.min]")
+        share, sweep = place / last, min(SWEEP, last)
         page.mouse.move(box["x"] + 9 + share * (box["width"] - 18), box["y"] + box["height"] / 2)
     page.mouse.down()
     page.evaluate(COUNT, contender.root)
     start = time.perf_counter()
     for step in range(round(seconds * MOVES_A_SECOND)):
-        across = 0.1 + 0.8 * abs((step % 160) / 80 - 1)
+        across = 0.1 + 0.8 * abs(step % (2 * sweep) / sweep - 1)
         mouse.move(box["x"] + box["width"] * across, box["y"] + box["height"] / 2)
         time.sleep(max(0, start + (step + 1) / MOVES_A_SECOND - time.perf_counter()))
     count = page.evaluate(STOP)
@@ -295,10 +299,11 @@ def measure(chapter: str, rounds: int = 15, drags: int = 3) -> list[Row]:
     cells += [f"from course_lib.widgets.{chapter} import *", "RoundTrip()"]
     bare = Contender("bare round trip", ".bench-round-trip", "input")
     pairs = []
-    for place, (name, make, title, slider) in enumerate(EXPLORERS[chapter]):
+    for place, (name, make, title, slider, *moved) in enumerate(EXPLORERS[chapter]):
         root = f'.course-explorer[aria-label="{title}"]'
         cells += [f"e{place} = {make}()\ne{place}", f"naive(e{place}, {slider!r})"]
-        ours = Contender(name, root, "input[type=range]")
+        handle = f'input[name="{moved[0]}"]' if moved else "input[type=range]"
+        ours = Contender(name, root, handle)
         peer = Contender(f"naive {name}", f".bench-naive-{slider}", ".noUi-handle")
         pairs.append((ours, peer))
     with page_with(cells) as (page, mouse):

@@ -84,7 +84,10 @@ def naive(explorer: Explorer, name: str) -> Any:
 
 
 def _plot(axes: Any, picture: Picture) -> None:
-    """Draw one picture with its lines and labels."""
+    """Draw one picture with its lines and labels, in its own pixels."""
+    width, height = picture.size
+    # Words outside the axes would enlarge what Jupyter saves, without a limit.
+    axes.set(xlim=(-0.5, width - 0.5), ylim=(height - 0.5, -0.5))
     if picture.image is not None:
         axes.imshow(picture.image)
     for line in picture.lines:

@@ -153,7 +153,7 @@ const CONTROLS = {
   slider(control, moved) {
     const { values, texts, unit } = control;
     const id = newId();
-    const input = make("input", { type: "range", id, min: 0, max: values.length - 1, step: 1 });
+    const input = make("input", { type: "range", id, name: control.name, min: 0, max: values.length - 1, step: 1 });
     const output = make("span", { className: "ce-value", ariaHidden: true });
     const element = make("div", { className: "ce-row" }, labelled(control, id), input, output);
     const place = (value) => {
