@@ -194,8 +194,8 @@ def _words() -> tuple[Label, ...]:
         Label("picture's footprint", (514, 236), "object"),
         Label("blue: flight", (514, 262), "camera"),
         Label("black: the area", (514, 288)),
-        Label("dashed grey: edge of", (514, 314), "guide"),
-        Label("the pit, and heap", (514, 330), "guide"),
+        Label("dashed grey: edge", (514, 314), "guide"),
+        Label("of the pit, and heap", (514, 330), "guide"),
     )
 
 

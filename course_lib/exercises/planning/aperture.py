@@ -49,7 +49,11 @@ APERTURE_WINDOW = Exercise(
         Misconception(
             wrong.brackets_left_out,
             "Python multiplies what follows a division. Which of your brackets is missing?",
-            also=[wrong.brackets_left_out_of_both, wrong.brackets_left_out_of_the_most],
+            also=[
+                wrong.brackets_left_out_of_both,
+                wrong.brackets_left_out_of_the_most,
+                wrong.brackets_left_out_of_the_focus,
+            ],
         ),
         Misconception(
             wrong.without_f_below,
@@ -73,6 +77,10 @@ APERTURE_WINDOW = Exercise(
         Misconception(
             wrong.wavelength_in_mm,
             "The least is right. In which units are the spot and the wavelength in the other one?",
+        ),
+        Misconception(
+            wrong.always_green,
+            "The least is right. Is the light green each time? How would your function know?",
         ),
         Misconception(
             wrong.magnification_forgotten,

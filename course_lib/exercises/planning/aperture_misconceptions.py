@@ -91,6 +91,17 @@ def brackets_left_out_of_the_most(f_mm, near, far, spot_um, wavelength_um):
     return least_for(f, near, far, c, s), c / 2.44 * wavelength * (1 + f / (s - f))
 
 
+def brackets_left_out_of_the_focus(f_mm, near, far, spot_um, wavelength_um):
+    f, c, wavelength = in_metres(f_mm, spot_um, wavelength_um)
+    s = 2 * near * far / near + far
+    most = c / (2.44 * wavelength * (1 + f / (s - f)))
+    return f**2 * (far - s) / (c * far * (s - f)), most
+
+
+def always_green(f_mm, near, far, spot_um, wavelength_um):
+    return window(f_mm, near, far, spot_um, 0.55)
+
+
 def without_f_below(f_mm, near, far, spot_um, wavelength_um):
     f, c, _ = in_metres(f_mm, spot_um, wavelength_um)
     s = between(near, far)

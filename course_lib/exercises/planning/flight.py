@@ -27,6 +27,10 @@ GROUND_SAMPLE_DISTANCE = Exercise(
             also=[wrong.pitch_in_um],
         ),
         Misconception(
+            wrong.brackets_left_out,
+            "Python multiplies what follows a division. Is your focal length all below the line?",
+        ),
+        Misconception(
             wrong.pitch_upside_down,
             "With a longer lens a pixel covers less. Does it in your answer?",
             also=[wrong.plain_pitch_upside_down],
@@ -38,6 +42,7 @@ GROUND_SAMPLE_DISTANCE = Exercise(
         Misconception(
             wrong.height_below,
             "Fly twice as high: does a pixel cover more ground, or less?",
+            also=[wrong.height_below_in_mm],
         ),
         Misconception(
             wrong.smallest_object,
@@ -105,6 +110,7 @@ MAX_SPEED = Exercise(
         Misconception(
             wrong.one_whole_pixel,
             "How many pixels long may the smear be? Where is that number in your answer?",
+            also=[wrong.half_a_pixel],
         ),
         Misconception(
             wrong.blur_below,

@@ -26,6 +26,10 @@ def pitch_in_um(H, f_mm, pitch_um):
     return H * pitch_um / (f_mm * 1e-3)
 
 
+def brackets_left_out(H, f_mm, pitch_um):
+    return H * (pitch_um * 1e-6) / f_mm * 1e-3
+
+
 def pitch_upside_down(H, f_mm, pitch_um):
     return H * f_mm * 1e-3 / (pitch_um * 1e-6)
 
@@ -40,6 +44,10 @@ def pixels_per_metre(H, f_mm, pitch_um):
 
 def height_below(H, f_mm, pitch_um):
     return f_mm * 1e-3 * pitch_um * 1e-6 / H
+
+
+def height_below_in_mm(H, f_mm, pitch_um):
+    return f_mm * pitch_um * 1e-3 / H
 
 
 def smallest_object(H, f_mm, pitch_um):
@@ -107,6 +115,10 @@ def exposure_above(base, interval, gsd, exposure_time, blur):
 
 def one_whole_pixel(base, interval, gsd, exposure_time, blur):
     return np.minimum(base / interval, gsd / exposure_time)
+
+
+def half_a_pixel(base, interval, gsd, exposure_time, blur):
+    return np.minimum(base / interval, 0.5 * gsd / exposure_time)
 
 
 def smear_in_pixels(base, interval, gsd, exposure_time, blur):

@@ -26,6 +26,11 @@ def focal_length_in_mm(Z, f_mm, pitch_um, tilt):
     return finest, finest / np.cos(tilt)
 
 
+def brackets_left_out(Z, f_mm, pitch_um, tilt):
+    finest = 1e-6 * on_the_object(Z, f_mm, pitch_um)
+    return finest, finest / np.cos(tilt)
+
+
 def pitch_upside_down(Z, f_mm, pitch_um, tilt):
     finest = Z * f_mm * 1e-3 / (pitch_um * 1e-6)
     return finest, finest / np.cos(tilt)

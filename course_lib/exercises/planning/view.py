@@ -84,6 +84,14 @@ BOX_IN_VIEW = Exercise(
             "Which comes first in the size of a picture, its width or its height?",
         ),
         Misconception(
+            wrong.top_and_bottom_exchanged,
+            "From which edge of the picture is v counted: from the top, or from the bottom?",
+        ),
+        Misconception(
+            wrong.left_and_right_exchanged,
+            "From which edge of the picture is u counted: from the left, or from the right?",
+        ),
+        Misconception(
             wrong.order_of_a_frame,
             "The numbers are right. In which order are they asked for?",
         ),
@@ -136,6 +144,10 @@ OBJECT_RESOLUTION = Exercise(
             coarse.millimetres,
             "In which unit is your answer, and which one is asked for?",
             also=[coarse.micrometres, coarse.focal_length_in_mm],
+        ),
+        Misconception(
+            coarse.brackets_left_out,
+            "Python multiplies what follows a division. Is your focal length all below the line?",
         ),
         Misconception(
             coarse.pitch_upside_down,

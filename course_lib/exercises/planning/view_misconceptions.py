@@ -146,6 +146,16 @@ def size_exchanged(size, centre, motion, P, image_size):
     return room_around(centre, size / 2 + motion, P, image_size[::-1])
 
 
+def top_and_bottom_exchanged(size, centre, motion, P, image_size):
+    left, right, top, bottom = room_around(centre, size / 2 + motion, P, image_size)
+    return np.array([left, right, bottom, top])
+
+
+def left_and_right_exchanged(size, centre, motion, P, image_size):
+    left, right, top, bottom = room_around(centre, size / 2 + motion, P, image_size)
+    return np.array([right, left, top, bottom])
+
+
 def order_of_a_frame(size, centre, motion, P, image_size):
     left, right, top, bottom = room_around(centre, size / 2 + motion, P, image_size)
     return np.array([left, top, right, bottom])
