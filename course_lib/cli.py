@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import course_lib
-from course_lib.calibrating import add_board_command, add_calibrate_command
+from course_lib.calibrating import add_calibrate_command, add_target_command
 
 
 class UsageError(Exception):
@@ -45,12 +45,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="course",
-        description="For your own camera (calibrate, board), and for authors and instructors of "
+        description="For your own camera (calibrate, target), and for authors and instructors of "
         "the camera course (build, term, grade).",
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     add_calibrate_command(commands)
-    add_board_command(commands)
+    add_target_command(commands)
     _add_build(commands)
     _add_term(commands)
     _add_grade(commands)

@@ -1,5 +1,5 @@
 """A person's own photographs of a board become a calibrated camera and a report in plain words."""
 
-from course_lib.calibrating.command import add_board_command, add_calibrate_command
+from course_lib.calibrating.command import add_calibrate_command, add_target_command
 
-__all__ = ["add_board_command", "add_calibrate_command"]
+__all__ = ["add_calibrate_command", "add_target_command"]

@@ -1,4 +1,4 @@
-"""The commands ``course calibrate`` and ``course board``."""
+"""The commands ``course calibrate`` and ``course target``."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from course_lib.calibrating.looking import Photo
 
 EXAMPLE = """examples:
-  course board board.pdf --board 9x6 --square 25      print this at 100 %, glue it on something flat
+  course target target.pdf --board 9x6 --square 25    print this at 100 %, glue it on something flat
   course calibrate photos/ --board 9x6 --square 25    a folder with 10 to 30 photographs of it
   course calibrate IMG_*.JPG --board 10x7 --square 25 --kind dots --diameter 15
 
@@ -57,10 +57,10 @@ def add_calibrate_command(commands: Any) -> None:
     command.set_defaults(run=_calibrate)
 
 
-def add_board_command(commands: Any) -> None:
-    """Add ``course board``."""
+def add_target_command(commands: Any) -> None:
+    """Add ``course target``."""
     command = commands.add_parser(
-        "board",
+        "target",
         help="write a board to print, as a PDF of exact size",
         description="Write a board to print, as a PDF page of exact size. Print it at 100 % (not "
         "'fit to page'), measure its bars, and glue it on something flat.",
@@ -68,7 +68,7 @@ def add_board_command(commands: Any) -> None:
     command.add_argument("file", type=Path, metavar="FILE.pdf")
     add_board_options(command)
     command.add_argument("--page", default="A4", help="A4, A3, A2, A1 or letter (%(default)s)")
-    command.set_defaults(run=_board)
+    command.set_defaults(run=_target)
 
 
 def say(text: str) -> None:
@@ -77,7 +77,7 @@ def say(text: str) -> None:
     print(text.encode(encoding, "replace").decode(encoding), flush=True)
 
 
-def _board(options: argparse.Namespace) -> int:
+def _target(options: argparse.Namespace) -> int:
     from data_generators.printable import save_board
 
     board = board_of(options)

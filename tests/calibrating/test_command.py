@@ -209,23 +209,23 @@ def test_real_photographs(folder, board, focal, rms, tmp_path):
 def test_a_terminal_that_lacks_characters(tmp_path, monkeypatch):
     old = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
     monkeypatch.setattr(sys, "stdout", old)
-    assert main(["board", str(tmp_path / "b.pdf"), "--board", "9x6", "--square", "25"]) == 0
+    assert main(["target", str(tmp_path / "b.pdf"), "--board", "9x6", "--square", "25"]) == 0
     old.seek(0)
     assert "9 ? 6 corners" in old.read()
 
 
-class TestBoard:
+class TestTarget:
     @pytest.mark.parametrize("kind", ["checkerboard", "dots", "charuco"])
     def test_writes_a_page(self, kind, tmp_path, capsys):
         path = tmp_path / "board.pdf"
         options = ["--board", "9x6", "--square", "25", "--kind", kind]
-        assert main(["board", str(path), *options]) == 0
+        assert main(["target", str(path), *options]) == 0
         assert path.read_bytes().startswith(b"%PDF")
         assert "Print it at 100 %" in capsys.readouterr().out
 
     def test_another_ending(self, tmp_path, capsys):
         path = tmp_path / "board.png"
-        assert main(["board", str(path), "--board", "9x6", "--square", "25"]) == 2
+        assert main(["target", str(path), "--board", "9x6", "--square", "25"]) == 2
         assert "must end in .pdf" in capsys.readouterr().err
         assert not path.exists()
 
@@ -234,9 +234,9 @@ class TestBoard:
         assert len(boards) == 3
         for number, line in enumerate(boards):
             options = shlex.split(line.split("  ")[0])
-            assert main(["board", str(tmp_path / f"{number}.pdf"), *options]) == 0
+            assert main(["target", str(tmp_path / f"{number}.pdf"), *options]) == 0
 
     def test_too_large(self, tmp_path, capsys):
-        code = main(["board", str(tmp_path / "b.pdf"), "--board", "9x6", "--square", "40"])
+        code = main(["target", str(tmp_path / "b.pdf"), "--board", "9x6", "--square", "40"])
         assert code == 2
         assert "or --page A2" in capsys.readouterr().err
