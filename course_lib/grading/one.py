@@ -3,30 +3,23 @@
 from __future__ import annotations
 
 import json
-import os
-import shutil
 import time
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from pathlib import Path
 from typing import Any
 
 import nbformat
 from nbformat import NotebookNode
 from nbgrader.utils import compute_checksum, determine_grade, is_grade, is_solution, is_task
 
-from course_lib.grading.assignment import Assignment, fingerprint
 from course_lib.grading.marking import REASONS, mark
 from course_lib.grading.outside import Judge, Outcome, Submitted
+from course_lib.grading.parcels import Parcel, unforeseen
 from course_lib.grading.planning import CHECK
-from course_lib.grading.sanitizing import sanitize
-from course_lib.grading.seeding import grading_seed, read_key
+from course_lib.grading.sanitizing import GivenNotebook, sanitize
 from course_lib.grading.servers import ServerGoneError
-from course_lib.grading.submissions import UnreadableError, files_beside, read_notebook
+from course_lib.grading.submissions import UnreadableError, read_notebook
 
-#: What nbgrader leaves out when it copies a submission.
-NOT_COPIED = {"__pycache__", ".ipynb_checkpoints"}
-MOST_COPIED = 100_000_000
 ENDED = "The notebook ended the Python that grades it, twice. A person must look at it."
 
 
@@ -49,9 +42,11 @@ class Graded:
     responses : mapping of str to mapping of str to bool
         By notebook and cell: whether there is an answer other than the stub.
     exercises : mapping of str to mapping
-        By exercise: points, possible, kinds of the parts, misconceptions.
+        By exercise: points, possible, kinds of the parts, misconceptions, hints, seconds.
     seconds : float
         What it took.
+    notebooks : mapping of str to bytes
+        The graded notebooks, by name.
     """
 
     student: str
@@ -62,27 +57,24 @@ class Graded:
     responses: Mapping[str, Mapping[str, bool]] = field(default_factory=dict)
     exercises: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     seconds: float = 0.0
+    notebooks: Mapping[str, bytes] = field(default_factory=dict, repr=False)
 
     def as_json(self) -> str:
-        """Return the record that is kept of it."""
-        return json.dumps(asdict(self), indent=1, ensure_ascii=False)
+        """Return the record that is kept of it, beside the notebooks."""
+        record = asdict(self)
+        del record["notebooks"]
+        return json.dumps(record, indent=1, ensure_ascii=False)
 
 
-def growing_folder(assignment: Assignment, student: str) -> Path:
-    """Return where a graded submission grows until it is in the gradebook."""
-    final = assignment.autograded(student)
-    return final.with_name(f".{final.name}.part")
-
-
-def grade_one(assignment: Assignment, student: str, judge: Judge) -> Graded:
-    """Grade what a student handed in, and write the graded notebooks beside their final place.
+def grade_one(given: Mapping[str, GivenNotebook], parcel: Parcel, judge: Judge) -> Graded:
+    """Grade what a student handed in. Whatever one submission does, it costs itself only.
 
     Parameters
     ----------
-    assignment : Assignment
-        What was asked.
-    student : str
-        Who.
+    given : mapping of str to GivenNotebook
+        The assignment's notebooks, by name.
+    parcel : Parcel
+        What was handed in.
     judge : Judge
         Where it runs.
 
@@ -91,61 +83,56 @@ def grade_one(assignment: Assignment, student: str, judge: Judge) -> Graded:
     Graded
         For the gradebook; with `trouble` if it cannot be graded.
     """
-    start, work = time.perf_counter(), _Work(assignment, student, judge)
-    trouble = ""
+    start, work = time.perf_counter(), _Work(given, parcel, judge)
+    trouble = parcel.trouble
     try:
-        work.grade_all()
+        if not trouble:
+            work.grade_all()
     except UnreadableError as error:
         trouble = str(error)
     except ServerGoneError as error:
         trouble = ENDED
         work.notes.append(str(error)[:300])
+    except Exception as error:  # nobody foresaw it
+        trouble = unforeseen(error)
+        work.notes.append(trouble)
     if trouble:
-        shutil.rmtree(work.growing, ignore_errors=True)
-        work.grades.clear()
+        return Graded(parcel.student, parcel.fingerprint, trouble, tuple(work.notes))
     return Graded(
-        student,
-        fingerprint(work.folder, list(assignment.notebooks)),
-        trouble,
+        parcel.student,
+        parcel.fingerprint,
         notes=tuple(work.notes),
         grades=work.grades,
         responses=work.responses,
-        exercises={} if trouble else work.exercises,
+        exercises=work.exercises,
         seconds=round(time.perf_counter() - start, 3),
+        notebooks=work.notebooks,
     )
 
 
 class _Work:
     """The notebooks of one submission, one after the other."""
 
-    def __init__(self, assignment: Assignment, student: str, judge: Judge) -> None:
-        self.assignment, self.student, self.judge = assignment, student, judge
-        self.folder = assignment.submitted(student)
-        self.growing = growing_folder(assignment, student)
+    def __init__(self, given: Mapping[str, GivenNotebook], parcel: Parcel, judge: Judge) -> None:
+        self.given, self.parcel, self.judge = given, parcel, judge
         self.notes: list[str] = []
         self.grades: dict[str, dict[str, float | None]] = {}
         self.responses: dict[str, dict[str, bool]] = {}
         self.exercises: dict[str, dict[str, Any]] = {}
+        self.notebooks: dict[str, bytes] = {}
 
     def grade_all(self) -> None:
         """Grade every notebook of the assignment that was handed in."""
-        folder = self.folder
-        shutil.rmtree(self.growing, ignore_errors=True)
-        _copy_beside(folder, self.growing)
-        _copy_beside(self.assignment.source(), self.growing)
-        there = [n for n in self.assignment.notebooks if os.path.lexists(folder / f"{n}.ipynb")]
-        if not there:
-            raise UnreadableError(_not_there(folder, list(self.assignment.notebooks)))
-        for name in there:
-            self._grade(name, read_notebook(folder / f"{name}.ipynb"), folder)
-        for name in self.assignment.notebooks:
-            if name not in there:
+        for name, content in self.parcel.notebooks.items():
+            self._grade(name, read_notebook(content))
+        for name in self.given:
+            if name not in self.parcel.notebooks:
                 self.notes.append(f"{name}.ipynb was not handed in: 0 points")
-                cells = self.assignment.notebooks[name].cells
+                cells = self.given[name].cells
                 self.grades[name] = {c: 0.0 for c, g in cells.items() if g.flags["grade"]}
 
-    def _grade(self, name: str, notebook: NotebookNode, folder: Path) -> None:
-        given = self.assignment.notebooks[name]
+    def _grade(self, name: str, notebook: NotebookNode) -> None:
+        given, parcel = self.given[name], self.parcel
         clean = sanitize(notebook, given)
         if clean.copied:
             self.notes.append(
@@ -153,17 +140,14 @@ class _Work:
             )
         if clean.restored:
             self.notes.append(f"put back: {', '.join(clean.restored)}")
-        key = read_key(self.assignment.key_file)
-        seed = grading_seed(key, self.student, self.assignment.name)
-        files = files_beside(folder)
-        outcome = self.judge.judge(Submitted(clean.notebook, seed, given.unlabelled, files))
+        submitted = Submitted(clean.notebook, parcel.seed, given.unlabelled, parcel.files)
+        outcome = self.judge.judge(submitted)
         if outcome.reason:
             self.notes.append(REASONS.get(outcome.reason, REASONS["crash"]))
         mark(clean.notebook, outcome)
         self._note_grades(name, clean.notebook)
         self._note_exercises(clean.notebook, outcome)
-        self.growing.mkdir(parents=True, exist_ok=True)
-        nbformat.write(clean.notebook, self.growing / f"{name}.ipynb")
+        self.notebooks[name] = f"{nbformat.writes(clean.notebook)}\n".encode()
 
     def _note_grades(self, name: str, notebook: NotebookNode) -> None:
         grades, responses = self.grades.setdefault(name, {}), self.responses.setdefault(name, {})
@@ -181,7 +165,9 @@ class _Work:
             match = CHECK.fullmatch(notebook.cells[index].source)
             if verdict is None:
                 if match:
-                    self.exercises[match[1]] = {"points": 0.0, "reached": False}
+                    possible = float(notebook.cells[index].metadata["nbgrader"]["points"])
+                    lost = {"points": 0.0, "possible": possible, "reached": False}
+                    self.exercises[match[1]] = lost
                 continue
             self.exercises[verdict.exercise] = {
                 "points": verdict.points,
@@ -190,36 +176,5 @@ class _Work:
                 "parts": {part.name: part.feedback.kind for part in verdict.parts},
                 "misconceptions": list(verdict.misconceptions),
                 "hints": list(verdict.hints),
+                "seconds": round(outcome.seconds.get(index, 0.0), 3),
             }
-
-
-def _not_there(folder: Path, names: list[str]) -> str:
-    wanted = " and ".join(f"{name}.ipynb" for name in names)
-    others = sorted(path.name for path in folder.glob("*.ipynb"))
-    if others:
-        return (
-            f"There is no {wanted}, but {', '.join(others[:3])}. Please give the file the name "
-            "that it had, and hand it in again."
-        )
-    return f"There is no {wanted} in what was handed in. Please hand it in again."
-
-
-def _copy_beside(folder: Path, target: Path) -> None:
-    """Copy what lies beside notebooks; links are left out, as they could lead anywhere."""
-    left = MOST_COPIED
-    for place, folders, names in os.walk(folder):
-        folders[:] = [name for name in folders if name not in NOT_COPIED]
-        for name in names:
-            path = Path(place, name)
-            if path.suffix == ".ipynb" or path.is_symlink() or not path.is_file():
-                continue
-            left -= path.stat().st_size
-            if left < 0:
-                raise UnreadableError(
-                    "The files beside the notebook are too large to be graded. Please hand in only "
-                    "the notebook and what it needs."
-                )
-            goal = target / path.relative_to(folder)
-            goal.parent.mkdir(parents=True, exist_ok=True)
-            goal.unlink(missing_ok=True)
-            shutil.copyfile(path, goal)

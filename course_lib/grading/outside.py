@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import os
 import shutil
+import time
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
@@ -69,11 +70,14 @@ class Outcome:
         What cells wrote, as it came: not vetted yet.
     reason : str
         Why it ended early; empty if it did not.
+    seconds : mapping of int to float
+        How long the answers of each check took, judging included.
     """
 
     verdicts: Mapping[int, Verdict | None]
     outputs: Mapping[int, Mapping[str, Any]]
     reason: str
+    seconds: Mapping[int, float] = field(default_factory=dict)
 
 
 class Judge:
@@ -144,22 +148,22 @@ class Judge:
 
     def _judge(self, submitted: Submitted, todo: Plan, hidden: frozenset[str]) -> Outcome:
         server = self._server(hidden, submitted)
-        job = Job(todo.steps, submitted.files, todo.draws)
         lines = _lines(submitted.notebook)
         verdicts: dict[int, Verdict | None] = {}
         again: list[int] = []
-        with self._running(server, job) as conversation:
+        seconds: dict[int, float] = {}
+        with self._running(server, Job(todo.steps, submitted.files, todo.draws)) as conversation:
             for number, check in enumerate(todo.checks):
+                start = time.perf_counter()
                 asked = self._ask(conversation, number, check.exercise, submitted.seed, lines)
                 verdicts[check.cell] = asked[0] if asked else None
+                seconds[check.cell] = time.perf_counter() - start
                 again += [number] if asked and asked[1] - {""} else []
             reason = conversation.reason
-        for number in again[
-            :MOST_AGAIN
-        ]:  # something else of the library, that this exercise may use, was gone
+        for number in again[:MOST_AGAIN]:  # something that this exercise may use was hidden
             check = todo.checks[number]
             verdicts[check.cell] = self._alone(submitted, todo, number, check, lines)
-        return Outcome(verdicts, conversation.outputs, reason)
+        return Outcome(verdicts, conversation.outputs, reason, seconds)
 
     def _running(self, server: Server, job: Job) -> Any:
         return server.run(job, self._allowance, str(self._folder))
