@@ -13,6 +13,7 @@ import shutil
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -22,7 +23,8 @@ from nbgrader.preprocessors import AssignLatePenalties
 from sqlalchemy.exc import SAWarning
 
 from course_lib.grading.assignment import Assignment, fingerprint
-from course_lib.grading.one import Graded, growing_folder
+from course_lib.grading.one import Graded
+from course_lib.grading.parcels import copy_beside, unforeseen
 
 NO_RESPONSE = "No response."
 
@@ -47,14 +49,20 @@ class Recorder:
     ) -> None:
         self._gradebook.close()
 
-    def save(self, graded: Graded) -> None:
+    def save(self, graded: Graded) -> Graded:
         """Write one grading down, for good.
 
         Parameters
         ----------
         graded : Graded
             What came of a submission. If it could not be graded, earlier scores stay.
+
+        Returns
+        -------
+        Graded
+            The same; with `trouble` if what lies beside the notebook could not be copied.
         """
+        graded = self._lay_beside(graded)
         before = read_record(self._assignment, graded.student)
         same = before.get("fingerprint") == graded.fingerprint
         with _transaction(self._gradebook):
@@ -67,6 +75,24 @@ class Recorder:
         _write(self._assignment.record(graded.student), graded.as_json())
         if not graded.trouble:
             self._put_in_place(graded.student)
+        return graded
+
+    def _lay_beside(self, graded: Graded) -> Graded:
+        """Write the graded notebooks, and what goes with them, beside their place."""
+        growing = growing_folder(self._assignment, graded.student)
+        shutil.rmtree(growing, ignore_errors=True)
+        if graded.trouble:
+            return graded
+        try:
+            copy_beside(self._assignment.submitted(graded.student), growing)
+            copy_beside(self._assignment.source(), growing)
+            for name, content in graded.notebooks.items():
+                growing.mkdir(parents=True, exist_ok=True)
+                (growing / f"{name}.ipynb").write_bytes(content)
+        except OSError as error:  # e.g. a file in the place of one of the source's folders
+            shutil.rmtree(growing, ignore_errors=True)
+            return replace(graded, trouble=unforeseen(error), grades={}, exercises={})
+        return graded
 
     def _submission(self, student: str) -> Any:
         """Return nbgrader's entry of a submission; nbgrader makes it where there is none."""
@@ -124,6 +150,12 @@ class Recorder:
         shutil.rmtree(old, ignore_errors=True)
 
 
+def growing_folder(assignment: Assignment, student: str) -> Path:
+    """Return where a graded submission grows until it is in the gradebook."""
+    final = assignment.autograded(student)
+    return final.with_name(f".{final.name}.part")
+
+
 @contextmanager
 def _transaction(gradebook: Any) -> Iterator[None]:
     """Make one transaction of what nbgrader's functions would commit one by one."""
@@ -150,7 +182,7 @@ def _write(path: Path, text: str) -> None:
     """Write a file so that it is there whole, or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(f".{path.name}.part")
-    part.write_text(text, encoding="utf-8")
+    part.write_text(text, encoding="utf-8", errors="backslashreplace")  # valid in JSON
     os.replace(part, path)
 
 

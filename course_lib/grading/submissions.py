@@ -22,8 +22,8 @@ class UnreadableError(ValueError):
     """A submission cannot be graded; the message is a sentence for the student."""
 
 
-def read_notebook(path: Path) -> NotebookNode:
-    """Read a submitted notebook.
+def read_content(path: Path) -> bytes:
+    """Read a submitted notebook's file.
 
     Parameters
     ----------
@@ -32,13 +32,13 @@ def read_notebook(path: Path) -> NotebookNode:
 
     Returns
     -------
-    nbformat.NotebookNode
-        In the current format.
+    bytes
+        What is in it.
 
     Raises
     ------
     UnreadableError
-        If it is no notebook; the message says what is wrong and what to do.
+        If it is no file, too large or empty; the message says so and what to do.
     """
     if path.is_symlink() or not path.is_file():
         raise UnreadableError("The notebook is no ordinary file. Please hand in the file itself.")
@@ -51,6 +51,27 @@ def read_notebook(path: Path) -> NotebookNode:
     content = path.read_bytes()
     if not content.strip():
         raise UnreadableError("The file is empty. Please hand in the notebook again.")
+    return content
+
+
+def read_notebook(content: bytes) -> NotebookNode:
+    """Read a submitted notebook.
+
+    Parameters
+    ----------
+    content : bytes
+        From `read_content`.
+
+    Returns
+    -------
+    nbformat.NotebookNode
+        In the current format.
+
+    Raises
+    ------
+    UnreadableError
+        If it is no notebook; the message says what is wrong and what to do.
+    """
     try:
         return _parsed(content)
     except UnreadableError:

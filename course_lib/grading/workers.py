@@ -20,6 +20,7 @@ from course_lib.grading.assignment import Assignment, fingerprint
 from course_lib.grading.isolation import Isolation
 from course_lib.grading.one import Graded, grade_one
 from course_lib.grading.outside import Judge
+from course_lib.grading.parcels import pack
 from course_lib.sandbox import walls
 from course_lib.sandbox.limits import Allowance
 
@@ -158,17 +159,7 @@ def _work(
                 return
             if not student:
                 return
-            try:
-                graded = grade_one(assignment, student, judge)
-            except Exception as error:  # whatever one submission does, it costs itself only
-                reason = f"{type(error).__name__}: {error}"[:500]
-                mark = fingerprint(assignment.submitted(student), list(assignment.notebooks))
-                graded = Graded(student, mark, _unforeseen(reason), notes=(reason,))
-            line.send(graded)
-
-
-def _unforeseen(reason: str) -> str:
-    return f"The notebook could not be graded ({reason}). A person must look at it."
+            line.send(grade_one(assignment.notebooks, pack(assignment, student), judge))
 
 
 def _take(worker: _Worker) -> Graded | None:

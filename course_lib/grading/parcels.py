@@ -1,0 +1,127 @@
+"""What of a submission goes to whoever grades it, and what stays: a parcel needs no shared disk."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from course_lib.grading.assignment import Assignment, fingerprint
+from course_lib.grading.seeding import grading_seed, read_key
+from course_lib.grading.submissions import UnreadableError, files_beside, read_content
+
+#: What nbgrader leaves out when it copies a submission.
+NOT_COPIED = {"__pycache__", ".ipynb_checkpoints"}
+MOST_COPIED = 100_000_000
+
+
+@dataclass(frozen=True)
+class Parcel:
+    """All of one submission that it takes to grade it.
+
+    Attributes
+    ----------
+    student : str
+        Who.
+    fingerprint : str
+        Of which version of the submission.
+    seed : str
+        From `grading_seed`; the key itself stays.
+    notebooks : mapping of str to bytes
+        What was handed in, by the notebook's name.
+    files : mapping of str to bytes
+        What lies beside, for a program to read.
+    trouble : str
+        Why it cannot be graded, as a sentence for the student; empty if it can.
+    """
+
+    student: str
+    fingerprint: str
+    seed: str = ""
+    notebooks: Mapping[str, bytes] = field(default_factory=dict)
+    files: Mapping[str, bytes] = field(default_factory=dict)
+    trouble: str = ""
+
+
+def pack(assignment: Assignment, student: str) -> Parcel:
+    """Read what a student handed in.
+
+    Parameters
+    ----------
+    assignment : Assignment
+        What was asked.
+    student : str
+        Who.
+
+    Returns
+    -------
+    Parcel
+        With `trouble` if it cannot be read.
+    """
+    folder = assignment.submitted(student)
+    # Taken first: a submission that changes while it is read is graded again.
+    mark = fingerprint(folder, list(assignment.notebooks))
+    try:
+        seed = grading_seed(read_key(assignment.key_file), student, assignment.name)
+        there = [n for n in assignment.notebooks if os.path.lexists(folder / f"{n}.ipynb")]
+        if not there:
+            raise UnreadableError(_not_there(folder, list(assignment.notebooks)))
+        if sum(path.stat().st_size for path in _beside(folder)) > MOST_COPIED:
+            raise UnreadableError(TOO_LARGE)
+        notebooks = {name: read_content(folder / f"{name}.ipynb") for name in there}
+        return Parcel(student, mark, seed, notebooks, files_beside(folder))
+    except UnreadableError as error:
+        return Parcel(student, mark, trouble=str(error))
+    except (OSError, ValueError) as error:
+        return Parcel(student, mark, trouble=unforeseen(error))
+
+
+TOO_LARGE = (
+    "The files beside the notebook are too large to be graded. Please hand in only the notebook "
+    "and what it needs."
+)
+
+
+def unforeseen(error: Exception) -> str:
+    """Return what is said where nobody foresaw that grading would fail."""
+    reason = f"{type(error).__name__}: {error}"[:500]
+    return f"The notebook could not be graded ({reason}). A person must look at it."
+
+
+def _not_there(folder: Path, names: list[str]) -> str:
+    wanted = " and ".join(f"{name}.ipynb" for name in names)
+    others = sorted(path.name for path in folder.glob("*.ipynb"))
+    if others:
+        return (
+            f"There is no {wanted}, but {', '.join(others[:3])}. Please give the file the name "
+            "that it had, and hand it in again."
+        )
+    return f"There is no {wanted} in what was handed in. Please hand it in again."
+
+
+def copy_beside(folder: Path, target: Path) -> None:
+    """Copy what lies beside notebooks; links are left out, as they could lead anywhere.
+
+    Parameters
+    ----------
+    folder : pathlib.Path
+        A submission's, or the source's.
+    target : pathlib.Path
+        Where the graded notebooks are.
+    """
+    for path in _beside(folder):
+        goal = target / path.relative_to(folder)
+        goal.parent.mkdir(parents=True, exist_ok=True)
+        goal.unlink(missing_ok=True)
+        shutil.copyfile(path, goal)
+
+
+def _beside(folder: Path) -> Iterator[Path]:
+    for place, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if name not in NOT_COPIED]
+        for name in names:
+            path = Path(place, name)
+            if path.suffix != ".ipynb" and not path.is_symlink() and path.is_file():
+                yield path
