@@ -124,10 +124,19 @@ def _add_grade(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     option("--student", nargs="+", default=[], metavar="ID", help="only these")
     option("--force", action="store_true", help="grade again what was graded")
     option("--term", type=Path, default=Path(), metavar="DIR", help="the term's directory")
-    option("--workers", type=int, metavar="N", help="how many at a time (one for each core)")
+    many = "how many at a time (one for each core, or worker of the cluster)"
+    option("--workers", type=_number, metavar="N", help=many)
+    option("--scheduler", metavar="ADDRESS", help="grade on this Dask cluster, not here")
     option("--isolation", choices=["bubblewrap", "none"], help="'none' trusts every submission")
     option("--explain-isolation", action="store_true", help="say what holds on this machine")
     command.set_defaults(run=_grade)
+
+
+def _number(text: str) -> int:
+    """Return how many, of what was typed."""
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"expected a number from 1, got {text!r}")
+    return int(text)
 
 
 def _grade(options: argparse.Namespace) -> int:

@@ -9,8 +9,10 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 from course_lib.grading.assignment import RECORDS, Assignment, read_assignment
+from course_lib.grading.cluster import grade_on_cluster
 from course_lib.grading.explaining import explain_isolation
 from course_lib.grading.isolation import Isolation, demand
+from course_lib.grading.one import Graded
 from course_lib.grading.recording import Recorder, is_graded, read_record
 from course_lib.grading.summary import Progress, Summary
 from course_lib.grading.workers import Manner, grade_all
@@ -27,13 +29,13 @@ def grade(options: argparse.Namespace) -> int:
     assignment = read_assignment(options.term, options.assignment)
     isolation: Isolation = options.isolation or assignment.isolation  # type: ignore[assignment]
     manner = Manner(isolation, _allowance(assignment))
-    demand(manner.isolation)
+    if not options.scheduler:  # the workers of a cluster look for themselves
+        demand(manner.isolation)
     if manner.isolation == "none":
         print("Nothing is isolated: students' code runs with your rights.", file=sys.stderr)
     with _alone(assignment):
         todo, done = _choose(assignment, options.student, options.force)
-        workers = max(1, options.workers or os.cpu_count() or 1)
-        summary = _grade(assignment, todo, manner, workers)
+        summary = _grade(assignment, todo, manner, options)
     summary.skipped = len(done)
     for student in done:
         summary.count(read_record(assignment, student), new=False)
@@ -63,15 +65,26 @@ def _choose(
     return todo, [name for name in chosen if name not in set(todo)]
 
 
-def _grade(assignment: Assignment, todo: list[str], manner: Manner, workers: int) -> Summary:
+def _grade(
+    assignment: Assignment, todo: list[str], manner: Manner, options: argparse.Namespace
+) -> Summary:
     summary, progress = Summary(), Progress(len(todo), sys.stderr)
     with Recorder(assignment) as recorder:
-        for graded in grade_all(assignment, todo, manner, workers):
-            graded = recorder.save(graded)
-            summary.count(vars(graded), new=True)
-            progress.step(graded)
+        for graded in _graded(assignment, todo, manner, options):
+            saved = recorder.save(graded)
+            summary.count(vars(saved), new=True)
+            progress.step(saved)
     progress.end()
     return summary
+
+
+def _graded(
+    assignment: Assignment, todo: list[str], manner: Manner, options: argparse.Namespace
+) -> Iterator[Graded]:
+    """Grade here, or on a cluster."""
+    if options.scheduler:
+        return grade_on_cluster(assignment, todo, manner, options.scheduler, options.workers)
+    return grade_all(assignment, todo, manner, options.workers or os.cpu_count() or 1)
 
 
 @contextmanager

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import atexit
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -11,9 +9,9 @@ from nbformat import NotebookNode
 from nbgrader.preprocessors import NbGraderPreprocessor
 from traitlets import Enum, Float, Unicode
 
-from course_lib.grading.isolation import Isolation
+from course_lib.grading.keeping import kept_judge
 from course_lib.grading.marking import mark
-from course_lib.grading.outside import Judge, Submitted
+from course_lib.grading.outside import Submitted
 from course_lib.grading.seeding import grading_seed, read_key
 from course_lib.grading.submissions import files_beside, given_cells
 from course_lib.sandbox.limits import Allowance
@@ -39,17 +37,9 @@ class AnswerOutside(NbGraderPreprocessor):  # type: ignore[misc]
         root = Path(self.key_file).parent
         given = given_cells(root / "release" / who["assignment"] / f"{who['notebook']}.ipynb")
         folder = Path(str(resources.get("metadata", {}).get("path") or "."))
-        judge = _judge(self.isolation, self.cell_seconds)
+        judge = kept_judge(self.isolation, Allowance(cell_seconds=self.cell_seconds))
         outcome = judge.judge(Submitted(nb, seed, given, files_beside(folder)))
         if outcome.reason:
             self.log.warning("The submission of %s ended early: %s", who["student"], outcome.reason)
         mark(nb, outcome)
         return nb, resources
-
-
-@cache
-def _judge(isolation: Isolation, cell_seconds: float) -> Judge:
-    """Return the judge of this process: its servers stay up from one submission to the next."""
-    judge = Judge(isolation, Allowance(cell_seconds=cell_seconds)).__enter__()
-    atexit.register(judge.__exit__, None, None, None)
-    return judge

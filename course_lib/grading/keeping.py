@@ -1,0 +1,26 @@
+"""A judge for the whole life of a process: its servers stay up from one submission to the next."""
+
+from __future__ import annotations
+
+import atexit
+from functools import cache
+
+from course_lib.grading.isolation import Isolation
+from course_lib.grading.outside import Judge
+from course_lib.sandbox.limits import Allowance
+
+
+@cache
+def kept_judge(isolation: Isolation, allowance: Allowance) -> Judge:
+    """Return the judge of this process; it is closed when the process ends.
+
+    Parameters
+    ----------
+    isolation : str
+        ``"bubblewrap"``, or ``"none"``.
+    allowance : Allowance
+        What a submission may use.
+    """
+    judge = Judge(isolation, allowance).__enter__()
+    atexit.register(judge.__exit__, None, None, None)
+    return judge
