@@ -21,6 +21,7 @@ MATHEMATICS = {
     "homography",
     "illumination",
     "least_squares",
+    "measuring",
     "optics",
     "orientation",
     "planning",
@@ -46,6 +47,7 @@ MAY_IMPORT = {
     "course_lib.calibrating": {
         "course_lib.calibration_files",
         "course_lib.detection",
+        "course_lib.page",
         "data_generators",
     },
     "course_lib.data": set(),
@@ -73,6 +75,7 @@ MAY_IMPORT = {
     "course_lib.authoring": {"course_lib.judging", "course_lib.exercises", "course_lib.notebook"},
     "course_lib.sandbox": {"course_lib.judging"},
     "course_lib.grading": {
+        "course_lib.page",
         "course_lib.sandbox",
         "data_generators",
         "course_lib.judging",

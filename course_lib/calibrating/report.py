@@ -21,6 +21,7 @@ from course_lib.calibrating.report_pictures import (
 from course_lib.calibrating.solving import Solved
 from course_lib.calibration import Calibration
 from course_lib.calibration_files import FORMS, StoredCamera, write_camera
+from course_lib.page import html_page
 
 STYLE = Path(__file__).with_name("report.css")
 MEANINGS = {
@@ -119,11 +120,7 @@ def report_html(
         _files(files, notes),
         WHAT_NOW,
     ]
-    style = STYLE.read_text("utf-8")
-    head = f"<meta charset='utf-8'><title>Calibration report</title><style>{style}</style>"
-    body = "\n".join(parts)
-    page = f"<html lang='en'>\n<head>{head}</head>\n<body>\n{body}\n</body>\n</html>\n"
-    return f"<!doctype html>\n{page}"
+    return html_page("Calibration report", parts, STYLE.read_text("utf-8"))
 
 
 def _about(solved: Solved, told: Sequence[str]) -> str:

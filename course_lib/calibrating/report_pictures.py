@@ -11,8 +11,8 @@ from course_lib.calibrating.looking import Photo
 from course_lib.calibrating.solving import Solved
 from course_lib.calibration import Coverage
 from course_lib.checks import Array
+from course_lib.page import BLUE, DARK, ORANGE, svg
 
-BLUE, ORANGE, DARK = "#0072b2", "#d55e00", "#333"
 #: Arrows of residuals are this long for a typical one, by the picture's width.
 TYPICAL_ARROW = 0.02
 
@@ -120,9 +120,4 @@ def _arrows(pixels: Array, steps: Array, width: int, colour: str) -> str:
 
 
 def _svg(width: int, height: int, content: str, said: str) -> str:
-    from html import escape
-
-    return (
-        f"<svg viewBox='-0.5 -0.5 {width} {height}' role='img' aria-label='{escape(said, True)}'>"
-        f"{content}</svg>"
-    )
+    return svg(f"-0.5 -0.5 {width} {height}", content, said)
