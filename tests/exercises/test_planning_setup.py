@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from course_lib.camera import Camera
-from course_lib.exercises.planning import PLAN_SETUP, demands, setup_inputs
+from course_lib.exercises.planning import PLAN_SETUP, demands, setup_inputs, setup_misconceptions
 from course_lib.exercises.planning.plain_setup import plan_setup
 from course_lib.judging import answer, judge, pose
 from course_lib.judging.text import to_text
@@ -21,6 +21,7 @@ typed = types.FunctionType(
     plan_setup.__code__.replace(co_filename="answer.py"), plan_setup.__globals__
 )
 DRAWS = ("dark", "bright", "tempting_cameras", "slow", "far_off")
+DRAWS += ("with_small_pixels", "with_a_slow_lens", "with_a_far_focus")
 
 
 def posed(draw, seed=0):
@@ -159,7 +160,9 @@ def test_giving_up_one_demand_altogether_earns_nothing(settings):
     [
         (None, "does one of your demands reject every pair"),
         (3.0, "A dictionary with the keys camera, lens, distance, N, exposure_time was expected"),
-        ({"secret": 0}, "was expected, not a dictionary with others"),
+        ({"secret": 0}, "not a dictionary without camera, lens, distance, N, exposure_time"),
+        ({"camera": 0, "lens": 0, "secret": 0}, "not a dictionary without distance, N, exposure_t"),
+        ({"secret again": 0}, "was expected, not a dictionary with more"),
         ({"camera": 7}, "`camera` must be one of the numbers 0 to 2"),
         ({"lens": 0.5}, "`lens` is a number; its number in the list was expected, from 0"),
         ({"camera": float("nan")}, "its number in the list"),
@@ -187,3 +190,24 @@ def test_there_is_a_set_up_for_every_task(draw):
     for seed in range(200):
         inputs = posed(draw, seed)
         assert max(demands.shares(plan_setup(**inputs), inputs).values()) <= 1 + 1e-9, seed
+
+
+@pytest.mark.parametrize(
+    ("lost", "blind"),
+    [
+        ("diffraction", {"window_most": np.inf}),
+        ("light", {"exposure_at_f1": 0.0}),
+        ("distance", {"closest": 0.0}),
+    ],
+)
+def test_a_search_that_looks_away_from_a_demand_loses_its_points(lost, blind):
+    """The widest aperture alone does not meet it: a pair that does not do stands first."""
+
+    def search(task, cameras, lenses):
+        seen = task | {key: blind[key] for key in blind if key in task}
+        closest = [lens | {"closest": blind.get("closest", lens["closest"])} for lens in lenses]
+        return setup_misconceptions.search(seen, cameras, closest, airy="window_most" not in blind)
+
+    for seed in range(40):
+        found = verdict(search, seed)
+        assert {part.name for part in found.parts if part.points < part.possible} == {lost}, seed

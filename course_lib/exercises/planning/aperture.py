@@ -11,8 +11,8 @@ APERTURE_WINDOW = Exercise(
     plain.aperture_window,
     points=8,
     parts={
-        "a flat object": Part(inputs.flat_object, cases=1, weight=3),
-        "a deep object": Part(inputs.deep_object, cases=1, weight=1),
+        "an open window": Part(inputs.flat_object, cases=1, weight=3),
+        "a closed window": Part(inputs.deep_object, cases=1, weight=1),
     },
     forbidden=(
         "course_lib.planning.depth.aperture_window",
@@ -67,7 +67,7 @@ APERTURE_WINDOW = Exercise(
         Misconception(
             wrong.mixed_units,
             "Distances, focal length and spot come in three units. Which one do you compute in?",
-            also=[wrong.distances_not_in_mm],
+            also=[wrong.distances_not_in_mm, wrong.focal_length_not_in_metres],
         ),
         Misconception(
             wrong.spot_in_mm,

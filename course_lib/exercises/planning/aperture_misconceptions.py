@@ -133,6 +133,10 @@ def distances_not_in_mm(f_mm, near, far, spot_um, wavelength_um):
     return f_mm**2 * (far - s) / (c * far * (s - f_mm)), c / (2.44 * wavelength * (1 + m))
 
 
+def focal_length_not_in_metres(f_mm, near, far, spot_um, wavelength_um):
+    return window(1e3 * f_mm, near, far, spot_um, wavelength_um)
+
+
 def spot_in_mm(f_mm, near, far, spot_um, wavelength_um):
     least, most = window(f_mm, near, far, spot_um, wavelength_um)
     return least / 1e3, most

@@ -32,8 +32,7 @@ def broken(plan: Any, inputs: Inputs) -> str:
             "your demands reject every pair?"
         )
     if not isinstance(plan, dict) or set(plan) != set(KEYS):
-        got = "a dictionary with others" if isinstance(plan, dict) else describe(plan)
-        return f"A dictionary with the keys {', '.join(KEYS)} was expected, not {got}."
+        return f"A dictionary with the keys {', '.join(KEYS)} was expected, not {_keys_of(plan)}."
     for key, several in (("camera", "cameras"), ("lens", "lenses")):
         if reason := _no_index(plan[key], key, len(inputs[several])):
             return reason
@@ -44,6 +43,14 @@ def broken(plan: Any, inputs: Inputs) -> str:
         if not (math.isfinite(value) and value > 0):
             return f"`{key}` must be a positive number."
     return _not_on_the_lens(plan, inputs)
+
+
+def _keys_of(plan: Any) -> str:
+    """Say what came for a dictionary with `KEYS`; no text of a student's reaches the verdict."""
+    if not isinstance(plan, dict):
+        return describe(plan)
+    missing = [key for key in KEYS if key not in plan]
+    return f"a dictionary without {', '.join(missing)}" if missing else "a dictionary with more"
 
 
 def _is_number(value: Any) -> bool:

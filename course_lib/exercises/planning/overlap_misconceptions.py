@@ -35,6 +35,10 @@ def brackets_forgotten(base, footprint):
     return footprint - base / footprint
 
 
+def brackets_misplaced(base, footprint):
+    return (1 - base) / footprint
+
+
 def gap_is_zero(base, footprint):
     return np.maximum(1 - base / footprint, 0)
 
@@ -100,6 +104,14 @@ def rest_of_the_share(share, footprint):
 
 def brackets_left_out(share, footprint):
     return 1 - share * footprint
+
+
+def whole_metres(share, footprint):
+    return ((1 - share) * footprint) // 1
+
+
+def nearest_metres(share, footprint):
+    return np.rint((1 - share) * footprint)
 
 
 def share_taken_off(share, footprint):

@@ -43,6 +43,10 @@ OVERLAP = Exercise(
             "You take a share off a length. What belongs in brackets?",
         ),
         Misconception(
+            wrong.brackets_misplaced,
+            "You take metres off the number 1. What must the base be divided by before?",
+        ),
+        Misconception(
             wrong.gap_is_zero,
             "Right where pictures overlap. How does your answer tell a gap from none?",
         ),
@@ -103,6 +107,11 @@ BASE_FOR_OVERLAP = Exercise(
         Misconception(
             wrong.brackets_left_out,
             "Python multiplies before it subtracts. What belongs in brackets?",
+        ),
+        Misconception(
+            wrong.whole_metres,
+            "Your base is a whole number of metres. Must it be one?",
+            also=[wrong.nearest_metres],
         ),
         Misconception(
             wrong.share_taken_off,

@@ -113,3 +113,7 @@ def cosine_twice(Z, f_mm, pitch_um, tilt):
 
 def one_number_only(Z, f_mm, pitch_um, tilt):
     return on_the_object(Z, f_mm, pitch_um) / np.cos(tilt)
+
+
+def finest_only(Z, f_mm, pitch_um, tilt):
+    return on_the_object(Z, f_mm, pitch_um)

@@ -30,6 +30,10 @@ def with_faster_cameras(_: Inputs, posed: Inputs) -> None:
     posed["cameras"] = [camera | {"frame_rate": float("inf")} for camera in posed["cameras"]]
 
 
+def with_close_focus(_: Inputs, posed: Inputs) -> None:
+    posed["lenses"] = [lens | {"closest": 0.0} for lens in posed["lenses"]]
+
+
 def one_less(plan: Inputs, _: Inputs) -> None:
     plan |= {"camera": plan["camera"] - 1, "lens": plan["lens"] - 1}
 
@@ -58,6 +62,10 @@ def with_n_for_its_square(plan: Inputs, posed: Inputs) -> None:
     posed["task"]["exposure_at_f1"] /= plan["N"]
 
 
+def with_larger_spots(_: Inputs, posed: Inputs) -> None:
+    posed["task"]["blur_px"] *= 4
+
+
 def nothing_came(_: Case, plan: Any) -> bool:
     return plan is None
 
@@ -77,8 +85,7 @@ def one_side_fits(case: Case, plan: Any) -> bool:
 
 def too_far_stopped_down(case: Case, plan: Any) -> bool:
     """Return whether it is diffraction that such a set-up has too much of."""
-    wider = met_if(lambda less, _: less.update(N=less["N"] / 4))
-    return case.part == "diffraction" and wider(case, plan)
+    return case.part == "diffraction" and met_if(with_larger_spots)(case, plan)
 
 
 PLAN_SETUP = Exercise(
@@ -91,11 +98,11 @@ PLAN_SETUP = Exercise(
         "resolution": Part(inputs.tempting_cameras, 1, 1, demand("resolution")),
         "resolution, at the far face": Part(inputs.barely_too_coarse, 1, 1, demand("resolution")),
         "depth of field": Part(inputs.bright, 1, 2, demand("depth of field")),
-        "diffraction": Part(inputs.bright, 1, 1.5, demand("diffraction")),
-        "distance": Part(inputs.far_off, 1, 1, demand("distance")),
+        "diffraction": Part(inputs.with_small_pixels, 1, 1.5, demand("diffraction")),
+        "distance": Part(inputs.with_a_far_focus, 1, 1, demand("distance")),
         "motion blur": Part(inputs.dark, 1, 2, demand("motion blur")),
         "frame rate": Part(inputs.slow, 1, 1.5, demand("frame rate")),
-        "light": Part(inputs.dark, 1, 2, demand("light")),
+        "light": Part(inputs.with_a_slow_lens, 1, 2, demand("light")),
     },
     misconceptions=[
         Misconception(
@@ -158,6 +165,11 @@ PLAN_SETUP = Exercise(
             explains=met_if(task_without("stand_off")),
         ),
         Misconception(
+            wrong.closest_focus_forgotten,
+            "Far enough from the box. Can this lens be focused so near?",
+            explains=met_if(with_close_focus),
+        ),
+        Misconception(
             wrong.front_for_the_middle,
             "To which place of the box is the distance measured: to its front, or to its middle?",
             explains=met_if(half_a_box_farther, just=True),
@@ -194,7 +206,8 @@ PLAN_SETUP = Exercise(
         ),
         Misconception(
             wrong.stopped_down,
-            "You stop down far. What does a small aperture do to a point, even a sharp one?",
+            "Both ends are sharp. What does so small an aperture do to a point, in these pixels?",
+            also=[wrong.diffraction_not_looked_at],
             explains=too_far_stopped_down,
         ),
         Misconception(
@@ -204,7 +217,8 @@ PLAN_SETUP = Exercise(
         ),
         Misconception(
             wrong.light_forgotten,
-            "Short exposures do not smear. Is there enough light for yours?",
+            "Short exposures do not smear. Is there enough light for yours, at this f-number?",
+            also=[wrong.light_not_looked_at],
             explains=met_if(task_without("exposure_at_f1")),
         ),
     ],

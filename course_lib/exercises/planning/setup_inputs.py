@@ -1,4 +1,4 @@
-"""Inputs for the set-up of chapter 11: tasks that one of three cameras does with the right lens."""
+"""Inputs for the set-up of chapter 11: tasks that one of the cameras does with the right lens."""
 
 from __future__ import annotations
 
@@ -68,6 +68,35 @@ def setup(
     plan = search(**posed)
     task["exposure_at_f1"] = three_digits(light * plan["exposure_time"] / plan["N"] ** 2)
     return posed
+
+
+def with_small_pixels(rng: Generator) -> Inputs:
+    """Put a camera first that has so many pixels in the same picture that the window is closed."""
+    posed = bright(rng)
+    plan, times = search(**posed), rng.uniform(1.7, 1.85)
+    right = posed["cameras"][plan["camera"]]
+    finer = {side: round(right[side] * times) for side in ("width", "height")}
+    finer |= {"pitch_um": three_digits(right["pitch_um"] / times)}
+    return posed | {"cameras": [right | finer, *posed["cameras"]]}
+
+
+def with_a_slow_lens(rng: Generator) -> Inputs:
+    """Put the right lens first in a version that does not open wide enough for the light."""
+    posed = setup(rng, False, rng.uniform(0.52, 0.56), 0.25, int(rng.integers(3)))
+    plan = search(**posed)
+    right, longest = posed["lenses"][plan["lens"]], plan["exposure_time"]
+    N_least = (1.1 * longest / posed["task"]["exposure_at_f1"]) ** 0.5
+    slow_lens = right | {"N_least": three_digits(N_least)}
+    return posed | {"lenses": [slow_lens, *posed["lenses"]]}
+
+
+def with_a_far_focus(rng: Generator) -> Inputs:
+    """Put the right lens first in a version that cannot be focused so near."""
+    posed = far_off(rng)
+    plan = search(**posed)
+    near = plan["distance"] - posed["task"]["depth"] / 2
+    distant = posed["lenses"][plan["lens"]] | {"closest": three_digits(1.4 * near)}
+    return posed | {"lenses": [distant, *posed["lenses"]]}
 
 
 def dark(rng: Generator) -> Inputs:

@@ -30,14 +30,22 @@ def fits(task: Any, camera: Any, lens: Any, far: float, N: float, most: float, t
     return not (coarse or closed or late or N**2 * task["exposure_at_f1"] > time)
 
 
-def search(task: Any, cameras: Any, lenses: Any, moves: float = 1.0, in_front: bool = False) -> Any:
-    """Return the right answer, or one with too little room, or too coarse behind."""
+def search(
+    task: Any,
+    cameras: Any,
+    lenses: Any,
+    moves: float = 1.0,
+    in_front: bool = False,
+    airy: bool = True,
+) -> Any:
+    """Return the right answer, or one with too little room, too coarse behind, or diffracted."""
     for number, camera in enumerate(cameras):
         for other, lens in enumerate(lenses):
             p, f = camera["pitch_um"] / 1e6, lens["f_mm"] / 1e3
             near = nearest(task, camera, f, p, lens["closest"], moves)
             spot, far = task["blur_px"] * camera["pitch_um"], near + task["depth"]
             least, most = window(lens["f_mm"], near, far, spot)
+            most = most if airy else math.inf
             N, time = max(least, lens["N_least"]), longest(task, near, f, p)
             if fits(task, camera, lens, near if in_front else far, N, most, time):
                 plan = {"camera": number, "lens": other, "distance": (near + far) / 2}
@@ -143,6 +151,10 @@ def stopped_down(task, cameras, lenses):
     return changed(task, cameras, lenses, N=smallest)
 
 
+def diffraction_not_looked_at(task, cameras, lenses):
+    return search(task, cameras, lenses, airy=False)
+
+
 # --- resolution, distance, frame rate ---------------------------------------------------------
 
 
@@ -156,6 +168,10 @@ def resolution_in_front(task, cameras, lenses):
 
 def stand_off_forgotten(task, cameras, lenses):
     return search(task | {"stand_off": 0.0}, cameras, lenses)
+
+
+def closest_focus_forgotten(task, cameras, lenses):
+    return search(task, cameras, [lens | {"closest": 0.0} for lens in lenses])
 
 
 def slow_camera(task, cameras, lenses):
@@ -182,6 +198,10 @@ def as_long_as_the_rate_allows(task, cameras, lenses):
 def f_number_not_squared(task, cameras, lenses):
     needed = lambda plan: plan["N"] * task["exposure_at_f1"]  # noqa: E731
     return changed(task, cameras, lenses, exposure_time=needed)
+
+
+def light_not_looked_at(task, cameras, lenses):
+    return search(task | {"exposure_at_f1": 0.0}, cameras, lenses)
 
 
 def light_forgotten(task, cameras, lenses):

@@ -206,7 +206,8 @@ OBJECT_RESOLUTION = Exercise(
         ),
         Misconception(
             coarse.one_number_only,
-            "That is the coarsest direction. Which two numbers are asked for?",
+            "One number came. For which two directions of the surface is one asked for?",
+            also=[coarse.finest_only],
         ),
     ],
 )
