@@ -1,0 +1,23 @@
+"""Measuring in pictures of a calibrated camera: lengths with what they are uncertain by.
+
+A target in the picture (a printed board) says where the camera stood. Lengths are in the unit of
+the target, its plane is z = 0 of its frame: x along its rows, y down its columns, z away from the
+viewer. Pixels are those of the real picture, with distortion.
+"""
+
+from course_lib.measuring.measured import Measured, pointing_sigma
+from course_lib.measuring.plane import distance_on_plane, point_on_plane
+from course_lib.measuring.space import distance_in_space, point_in_space
+from course_lib.measuring.view import View, view_of_target, views_of_pair
+
+__all__ = [
+    "Measured",
+    "View",
+    "distance_in_space",
+    "distance_on_plane",
+    "point_in_space",
+    "point_on_plane",
+    "pointing_sigma",
+    "view_of_target",
+    "views_of_pair",
+]

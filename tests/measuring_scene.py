@@ -1,0 +1,45 @@
+"""A camera that we chose, a target, and an object whose size is known."""
+
+import numpy as np
+
+from course_lib.calibration import board_points, calibrate
+from course_lib.camera import camera_matrix, project
+from course_lib.distortion import distort_pixels
+from course_lib.measuring import view_of_target
+from course_lib.transforms import rotation_x, rotation_y, rotation_z
+from data_generators.board_observations import observe_board
+
+K = np.array([[800, 0, 330], [0, 805, 235], [0, 0, 1.0]])
+COEFFICIENTS = np.array([-0.2, 0.05, 0.001, -0.001, 0])
+SIZE = (640, 480)
+BOARD = board_points(9, 6, 30.0)
+#: The target lies to the left of what is measured.
+TARGET = board_points(5, 6, 20.0)
+POSES = (
+    (rotation_x(0.5) @ rotation_y(0.2), np.array([-110.0, -50, 450])),
+    (rotation_y(-0.5) @ rotation_z(0.1), np.array([-60.0, -60, 480])),
+)
+FLAT = np.array([[130.0, 10, 0], [135, 95, 0]])
+RAISED = np.array([[130.0, 10, -20], [110, 80, -60]])
+
+
+def image(points, pose):
+    """Return where the real lens images points of the target's frame."""
+    return distort_pixels(project(points, camera_matrix(K, *pose)), K, COEFFICIENTS)
+
+
+def calibrated(noise=0.2, rng=None, views=12):
+    """Return a camera calibrated from the same poses, with new noise."""
+    seen = observe_board(np.random.default_rng(1), BOARD, K, COEFFICIENTS, SIZE, views)
+    rng = rng or np.random.default_rng(2)
+    return calibrate(BOARD, [p + rng.normal(0, noise, p.shape) for p in seen.pixels], SIZE)
+
+
+def targeted(calibration, noise=0.2, rng=None, poses=POSES):
+    """Return the pictures of the target, by their poses."""
+    rng = rng or np.random.default_rng(3)
+    size = (len(TARGET), 2)
+    return [
+        view_of_target(TARGET, image(TARGET, pose) + rng.normal(0, noise, size), calibration)
+        for pose in poses
+    ]
