@@ -23,6 +23,7 @@ from course_lib.planning import (
     read_cameras,
     read_lenses,
 )
+from course_lib.triangulation import point_covariance
 from course_lib.widgets.planning import flight_planner
 
 TEXT = lesson_text("11_planning")
@@ -107,7 +108,11 @@ def test_what_a_pixel_covers():
     assert np.degrees(np.arccos(fine / 0.0004)) == about(29.1, 1)
     says("$\\cos\\alpha = 0.349/0.4$, at 29.1°")
     assert TABLE["resolution"].value == about(0.378, 3)
-    says("At 15° yes, with 0.362 mm, and at 30° no, with 0.403 mm", "there it is 0.378 mm")
+    says(
+        "At 15° yes, with 0.362 mm, and at 30° no, with 0.403 mm",
+        "the library finds 0.378 mm",
+        "| 0.349 and 0.362 mm |",
+    )
 
 
 def test_the_aperture_windows():
@@ -128,10 +133,30 @@ def test_the_aperture_windows():
 
 def test_smear_and_light():
     assert TABLE["motion blur"].value == about(1.47, 2)
-    assert about(0.000320, 6) == 2.093 * 13.5e-6 / 0.085 * (2.2 - 0.085) / 2.2
+    m = 85 / (2195 - 85)  # focused on 2.195 m
+    assert m == about(0.0403, 4)
+    assert 85 * (1 + m) == about(88.4, 1)
+    assert 13.5 * 2.2 / (85 * (1 + m)) == about(0.336, 3)
+    assert draw.chosen().view.K[0, 0] * 13.5e-3 == about(88.4, 1)  # the library's
+    assert about(0.000320, 6) == 2.093 * 13.5e-6 / 0.0884
+    assert about(1.47, 2) == 1.88 / 4000 / 0.000320
+    says("85\\cdot 1.0403 = 88.4$ mm", "0.336 instead of 0.349 mm", "/0.0884 = 0.000320$")
     assert TABLE["light"].limit == pytest.approx(200)
     assert np.sqrt(250 / 2) == about(11.2, 1)
     says("= 1.47", "200\\ \\text{µs}", "= 11.2$", "0.000320")
+
+
+def test_the_precision():
+    camera = 0.1 * 0.336
+    assert (camera, camera) == (about(0.034, 3), about(0.0336, 4))
+    assert camera / np.sin(np.radians(15)) == about(0.13, 2)
+    depth = camera / np.sqrt(2) / np.sin(np.radians(15))
+    one, other = draw.pair(2.2, shaker.TURN, 10, 1 / 4000)
+    middle = point_covariance([[0, 0, 0]], [one.view.P, other.view.P], 0.1)[0]
+    assert 1000 * np.sqrt(middle[1, 1]) == pytest.approx(depth, rel=0.002)
+    assert depth == about(0.092, 3)
+    assert TABLE["expected σ"].value == about(0.096, 3)
+    says("which is 0.034 mm on the panel", "= 0.13$ mm", "= 0.092\\ \\text{mm}", "it is 0.096 mm")
 
 
 def test_what_the_demands_leave():
@@ -282,6 +307,8 @@ def test_what_the_flight_planner_shows():
     assert (numbers()["Pictures"], numbers()["Time in the air"]) == ("54 in 3 lines", "2.5")
     fine = numbers(gsd=1)
     assert (fine["Pictures"], fine["Time in the air"]) == ("238 in 7 lines", "10.9")
+    assert [n["GSD on the lowest ground"] for n in (numbers(), fine)] == ["2.55", "1.55"]
+    says("covers 1.55 cm, not half of 2.55")
     says("238 pictures instead of 54, in 7 lines instead of 3", "10.9 minutes instead of 2.5")
     narrow = {"x1": 30, "y1": 80, "x2": 270, "y2": 80, "x3": 270, "y3": 140, "x4": 30, "y4": 140}
     along, across = numbers(**narrow), numbers(**narrow, heading=0)

@@ -49,7 +49,7 @@ def crosses(size: float, side: int = 14, fine: int = 40) -> Floats:
     return np.asarray(picture.reshape(side, fine, side, fine).mean(axis=(1, 3)))
 
 
-@figure("A cross on the ground of 1, 2, 3, 5 and 10 pixels: from three on one sees that it is one.")
+@figure("A cross on the ground of 1, 2, 3, 5 and 10 pixels: found from 3 on, a cross from 5.")
 def smallest_object() -> Figure:
     """Show crosses on the ground that are a few pixels large.
 
