@@ -110,6 +110,12 @@ def _add_term(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
         metavar="DIR",
         help="where students fetch and submit with nbgrader (DIR/exchange)",
     )
+    command.add_argument(
+        "--gradebook",
+        default="",
+        metavar="URL",
+        help="a database of PostgreSQL, without password (DIR/gradebook.db, a file of SQLite)",
+    )
     command.set_defaults(run=_term)
 
 
@@ -151,7 +157,8 @@ def _term(options: argparse.Namespace) -> int:
     from course_lib.grading.term import make_term, plan_term
 
     root = course_folder()
-    term = plan_term(options.directory, root, options.chapters, options.course_id, options.exchange)
+    places = (options.course_id, options.exchange, options.gradebook)
+    term = plan_term(options.directory, root, options.chapters, *places)
     make_term(term, root)
     print(f"Made {term.directory} with {', '.join(term.chapters)}.")
     print(f"Next: cd there, read README.md, run: nbgrader generate_assignment {term.chapters[0]}")

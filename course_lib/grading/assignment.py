@@ -13,6 +13,7 @@ from typing import Any
 from nbgrader.api import Gradebook, MissingEntry
 from nbgrader.apps import AutogradeApp
 
+from course_lib.grading.gradebooks import reachable
 from course_lib.grading.sanitizing import GivenNotebook, read_notebook_given
 from course_lib.grading.submissions import given_cells
 
@@ -107,7 +108,7 @@ def read_assignment(term: Path, name: str) -> Assignment:
         app = AutogradeApp(log_level="ERROR")
         app.initialize([])
         course = app.coursedir
-        with Gradebook(course.db_url, course.course_id) as gradebook:
+        with reachable(), Gradebook(course.db_url, course.course_id) as gradebook:
             notebooks = _read_notebooks(gradebook, term, name)
     options = app.config.get("AnswerOutside", {})
     steps = ("submitted", "autograded", "source")

@@ -89,7 +89,7 @@ def _connected(address: str) -> Iterator[Any]:
         ) from None
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # its news are said below
     try:
-        client = Client(address, timeout=CONNECT, set_as_default=False)
+        client = Client(address, timeout=CONNECT)
     except (OSError, ValueError, TypeError, ImportError) as error:
         raise ClusterError(f"no Dask scheduler answers at {address} ({error})") from None
     try:

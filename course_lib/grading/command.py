@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from course_lib.grading.assignment import RECORDS, Assignment, read_assignment
 from course_lib.grading.cluster import grade_on_cluster
 from course_lib.grading.explaining import explain_isolation
+from course_lib.grading.gradebooks import reachable
 from course_lib.grading.isolation import Isolation, demand
 from course_lib.grading.one import Graded
 from course_lib.grading.recording import Recorder, is_graded, read_record
@@ -69,7 +70,7 @@ def _grade(
     assignment: Assignment, todo: list[str], manner: Manner, options: argparse.Namespace
 ) -> Summary:
     summary, progress = Summary(), Progress(len(todo), sys.stderr)
-    with Recorder(assignment) as recorder:
+    with reachable(), Recorder(assignment) as recorder:
         for graded in _graded(assignment, todo, manner, options):
             saved = recorder.save(graded)
             summary.count(vars(saved), new=True)

@@ -14,6 +14,7 @@ from course_lib.authoring.building import copy_pictures, find_lessons, write_not
 from course_lib.authoring.expansion import expand
 from course_lib.authoring.lesson import read_lesson
 from course_lib.exercises import CHAPTERS
+from course_lib.grading.gradebooks import gradebook_url
 from course_lib.grading.seeding import write_key
 
 KEY_NAME = "grading.key"
@@ -29,6 +30,7 @@ class Term:
     course_id: str
     exchange: Path
     chapters: tuple[str, ...]
+    gradebook: str = ""
 
 
 def plan_term(
@@ -37,6 +39,7 @@ def plan_term(
     chapters: Sequence[str] = (),
     course_id: str = "",
     exchange: Path | None = None,
+    gradebook: str = "",
 ) -> Term:
     """Decide what a term's directory is like, or say why it cannot be made.
 
@@ -52,6 +55,8 @@ def plan_term(
         nbgrader's name for the course; the directory's name unless told otherwise.
     exchange : pathlib.Path, optional
         The folder through which notebooks come and go; one in the directory unless told otherwise.
+    gradebook : str, optional
+        The URL of a database; a file of SQLite in the directory unless told otherwise.
 
     Returns
     -------
@@ -61,7 +66,7 @@ def plan_term(
     Raises
     ------
     ValueError
-        If the directory is in use or in the course's folder, or a name cannot be used.
+        If the directory is in use or in the course's folder, or a name or URL cannot be used.
     """
     directory = directory.expanduser().resolve()
     if any((folder / "lessons").is_dir() for folder in directory.parents):
@@ -77,7 +82,8 @@ def plan_term(
     graded = [name for name in CHAPTERS.values() if name not in NOT_GRADED]
     found = [path.stem for path in find_lessons(root, list(chapters) or graded)]
     exchange = (exchange or directory / "exchange").expanduser().resolve()
-    return Term(directory, course_id, exchange, tuple(found))
+    url = gradebook_url(gradebook) if gradebook else ""
+    return Term(directory, course_id, exchange, tuple(found), url)
 
 
 def make_term(term: Term, root: Path) -> None:
@@ -105,6 +111,7 @@ def make_term(term: Term, root: Path) -> None:
         "course_id": term.course_id,
         "exchange": str(term.exchange),
         "key_name": KEY_NAME,
+        "database": f"c.CourseDirectory.db_url = {term.gradebook!r}\n" if term.gradebook else "",
         "chapters": ", ".join(f"`{name}`" for name in term.chapters),
         "first": next((c for c in term.chapters if c not in NOT_GRADED), term.chapters[0]),
         "activate": _activation(Path(sysconfig.get_path("scripts"))),
