@@ -215,6 +215,7 @@ class Mouse:
 def drag(page: Any, mouse: Mouse, contender: Contender, seconds: float) -> None:
     """Drag the contender's slider to and fro; note the pictures a second."""
     handle = page.locator(contender.slider)
+    handle.scroll_into_view_if_needed()  # an explorer may be higher than the window
     box, sweep = handle.bounding_box(), SWEEP
     track = page.locator(f"{contender.root} .noUi-base")
     if track.count():

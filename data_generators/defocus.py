@@ -21,6 +21,9 @@ from data_generators.scene import Colour, Scene
 STEP = 0.35  # of ln(1 + D / 2): how much the diameters D of neighbouring blurs differ
 OPAQUE = 250  # of 255: what counts as opaque after some rounding
 ALIKE = 0.5  # px: diameters that differ less need not be told apart
+RUNG = 1.15  # ratio of the focal lengths at which a zooming view is drawn
+KEPT = 12  # views that are kept, the last ones used
+View = tuple[list[Layer], Picture]
 
 
 class DefocusedView:
@@ -40,11 +43,15 @@ class DefocusedView:
     breathes : bool
         Whether the view narrows as the lens focuses nearer, as K of `Lens.intrinsics` says. The
         scene is then drawn once, as focused at infinity, and magnified: to within a thousandth.
+    zooms : bool
+        Whether the focal length, or the pitch of the pixels, changes from picture to picture
+        while the camera stays where it is. The scene is then drawn at focal lengths that are
+        fixed, 15 % apart, and the picture is magnified or reduced from the nearest of them.
 
     Examples
     --------
-    The camera's matrix K belongs to the lens as it is focused. As long as the camera stays the
-    same, only the blur is made anew:
+    The camera's matrix K belongs to the lens as it is focused. As long as the camera is one of
+    the last few, only the blur is made anew:
 
     >>> from data_generators.places import street
     >>> from course_lib.camera import camera_at
@@ -62,12 +69,11 @@ class DefocusedView:
         margin: int = 16,
         edges: tuple[float, ...] = EDGES,
         breathes: bool = True,
+        zooms: bool = False,
     ) -> None:
         self.renderer = QuickRenderer(scene, subpixels)
-        self.margin, self.edges, self.breathes = margin, edges, breathes
-        self._camera: Camera | None = None
-        self._layers: list[Layer] = []
-        self._base: Picture = np.empty((0, 0, 4), np.uint8)
+        self.margin, self.edges, self.breathes, self.zooms = margin, edges, breathes, zooms
+        self._views: dict[tuple[float, ...], View] = {}
 
     def picture(self, camera: Camera, lens: Lens) -> Picture:
         """Return what a camera with a lens sees.
@@ -86,55 +92,76 @@ class DefocusedView:
         """
         import cv2
 
-        narrowing = lens.image_distance / lens.f if self.breathes else 1.0
-        reference = _widened(camera, narrowing)
-        self._prepare(reference)
-        canvas = self._base.copy()
-        for layer in self._layers:
-            inverse = np.linspace(layer.far, layer.near, 256)
-            with np.errstate(divide="ignore"):
-                disks = lens.disks(1 / inverse, camera) / narrowing
-            _lay_over(canvas, layer, disks)
-        columns, rows = _inside(camera, narrowing, self.margin)
+        narrowing = self._narrowing(camera, lens)
+        room = self._room(camera)
+        layers, base = self._view(_widened(camera, narrowing, room))
+        canvas = base.copy()
+        inverse = np.array([np.linspace(layer.far, layer.near, 256) for layer in layers])
+        with np.errstate(divide="ignore"):
+            disks = lens.disks(1 / inverse, camera) / narrowing
+        for layer, spots in zip(layers, disks, strict=True):
+            _lay_over(canvas, layer, spots)
+        columns, rows = _inside(camera, narrowing, room)
         picture = cv2.cvtColor(canvas[rows, columns], cv2.COLOR_RGBA2RGB)
         if picture.shape[1::-1] != camera.image_size:
             picture = cv2.resize(picture, camera.image_size, interpolation=cv2.INTER_CUBIC)
         return np.asarray(picture)
 
-    def _prepare(self, camera: Camera) -> None:
-        """Draw the layers that a camera sees, unless they are those of the last picture."""
-        if self._camera is None or not _same(self._camera, camera):
-            size = (-(-(side + 2 * self.margin) // GRID) * GRID for side in camera.image_size)
-            K = camera.K.copy()
-            K[:2, 2] += self.margin
-            wide = Camera(K, camera.R, camera.t, (next(size), next(size)))
-            self._layers = layers(self.renderer, wide, self.edges)
-            self._base = backing(self._layers, wide.image_size, self.renderer.scene.background)
-            self._camera = camera
+    def _narrowing(self, camera: Camera, lens: Lens) -> float:
+        """Return the focal length of a camera by that at which the scene is drawn for it."""
+        if self.zooms:
+            f = float(camera.K[0, 0])
+            return f / RUNG ** round(np.log(f) / np.log(RUNG))
+        return lens.image_distance / lens.f if self.breathes else 1.0
+
+    def _room(self, camera: Camera) -> tuple[int, int]:
+        """Return how far the scene is drawn beyond the picture's edges, across and down, px."""
+        beyond = (RUNG**0.5 - 1) * self.zooms  # of the distance from the centre to the edge
+        across, down = (
+            self.margin + int(np.ceil(beyond * max(centre + 0.5, size - centre - 0.5)))
+            for centre, size in zip(camera.K[:2, 2].tolist(), camera.image_size, strict=True)
+        )
+        return across, down
+
+    def _view(self, camera: Camera) -> View:
+        """Return the layers that a camera sees and what lies under them, drawn or kept."""
+        key = _key(camera)
+        if key not in self._views:
+            found = layers(self.renderer, camera, self.edges)
+            base = backing(found, camera.image_size, self.renderer.scene.background)
+            self._views[key] = found, base
+        view = self._views[key] = self._views.pop(key)  # now the last one
+        if len(self._views) > KEPT:
+            del self._views[next(iter(self._views))]
+        return view
 
 
-def _widened(camera: Camera, narrowing: float) -> Camera:
-    """Return the camera with a shorter focal length."""
+def _widened(camera: Camera, narrowing: float, room: tuple[int, int]) -> Camera:
+    """Return the camera with a shorter focal length and with room around its picture, px."""
     K = camera.K.copy()
     K[:2, :2] /= narrowing
-    return Camera(K, camera.R, camera.t, camera.image_size)
+    K[:2, 2] += room
+    width, height = (
+        -(-(side + 2 * more) // GRID) * GRID
+        for side, more in zip(camera.image_size, room, strict=True)
+    )
+    return Camera(K, camera.R, camera.t, (width, height))
 
 
-def _inside(camera: Camera, narrowing: float, margin: int) -> tuple[slice, slice]:
+def _inside(camera: Camera, narrowing: float, room: tuple[int, int]) -> tuple[slice, slice]:
     """Return columns and rows of the wider camera's picture that the narrower one sees."""
     sides = []
-    for size, centre in zip(camera.image_size, camera.K[:2, 2].tolist(), strict=True):
+    for size, centre, more in zip(camera.image_size, camera.K[:2, 2].tolist(), room, strict=True):
         start = (centre + 0.5) * (1 - 1 / narrowing)
         first, last = round(start), round(start + size / narrowing)
-        sides.append(slice(first + margin, last + margin))
+        sides.append(slice(first + more, last + more))
     return sides[0], sides[1]
 
 
-def _same(one: Camera, other: Camera) -> bool:
-    """Return whether two cameras take the same picture."""
-    arrays = zip((one.K, one.R, one.t), (other.K, other.R, other.t), strict=True)
-    alike = all(np.allclose(a, b, rtol=1e-12, atol=0) for a, b in arrays)
-    return alike and one.image_size == other.image_size
+def _key(camera: Camera) -> tuple[float, ...]:
+    """Return numbers, rounded, that two cameras share if they take the same picture."""
+    numbers = np.concatenate([camera.K.ravel(), camera.R.ravel(), camera.t])
+    return (*numbers.round(9).tolist(), *camera.image_size)
 
 
 def _lay_over(canvas: Picture, layer: Layer, disks: Array) -> None:

@@ -143,8 +143,8 @@ def add_texture(
         Weight of each pixel of the box, 0 to 255.
     box : tuple of int
         Left, top, right, bottom, px.
-    texture : ndarray, shape (m, n, 3), uint8
-        At the resolution of the picture.
+    texture : ndarray, shape (m, n, 4), uint8
+        At the resolution of the picture; the fourth channel is not looked at.
     texel_from_pixel : ndarray, shape (3, 3)
         Homography from pixels of the picture to those of the texture.
     wrap : bool
@@ -162,5 +162,6 @@ def add_texture(
         flags=cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP,
         borderMode=cv2.BORDER_WRAP if wrap else cv2.BORDER_REPLICATE,
     )
+    colours = cv2.cvtColor(warped, cv2.COLOR_RGBA2RGB)
     region = picture[top:bottom, left:right]
-    cv2.add(region, cv2.multiply(warped, share, scale=1 / 255), dst=region)
+    cv2.add(region, cv2.multiply(colours, share, scale=1 / 255, dst=colours), dst=region)

@@ -27,6 +27,7 @@ class TexturePyramid:
 
     def __init__(self, texture: Texture) -> None:
         self._levels: dict[tuple[int, int], Texture] = {(0, 0): texture}
+        self._in_fours: dict[tuple[int, int], Texture] = {}
         height, width = texture.shape[:2]
         self.highest = np.array([int(width).bit_length() - 1, int(height).bit_length() - 1])
         self.size = np.array([width, height])
@@ -38,6 +39,15 @@ class TexturePyramid:
                 _halved(self.level(i - 1, j), 1) if i else _halved(self.level(i, j - 1), 0)
             )
         return self._levels[i, j]
+
+    def in_fours(self, i: int, j: int) -> Texture:
+        """Return a level with a fourth channel: OpenCV warps it in less than half the time."""
+        import cv2
+
+        if (i, j) not in self._in_fours:
+            level = cv2.cvtColor(self.level(i, j), cv2.COLOR_RGB2RGBA)
+            self._in_fours[i, j] = np.asarray(level, np.uint8)
+        return self._in_fours[i, j]
 
 
 def levels_for(footprint: NDArray[np.float64], highest: NDArray[np.int_]) -> NDArray[np.int_]:

@@ -185,7 +185,8 @@ class QuickRenderer:
         """Return positions in `patches` from back to front."""
         eye = camera.centre
         height: Array = (self.normals[patches] * (eye - self.origins[patches])).sum(axis=1)
-        front, behind = (table[np.ix_(patches, patches)] for table in self._sides)
+        # Rows, then columns: six times as fast as both at once.
+        front, behind = (table.take(patches, 0).take(patches, 1) for table in self._sides)
         eye_in_front = (height > 0)[:, None]
         seen = polygons.seen_through(camera.K)
         return back_to_front(
@@ -212,7 +213,7 @@ class QuickRenderer:
         slant = np.maximum(1, footprint.prod(axis=1) / np.maximum(3 * area, 1e-12))
         footprint /= np.sqrt(slant)[:, None]
         levels = levels_for(footprint, self._highest[patches]).tolist()
-        textures = [self._pyramids[p].level(*ij) for p, ij in zip(patches, levels, strict=True)]
+        textures = [self._pyramids[p].in_fours(*ij) for p, ij in zip(patches, levels, strict=True)]
         sizes = np.array([texture.shape[1::-1] for texture in textures]).reshape(-1, 2)
         # The first texel's centre is half a texel from the edge.
         maps[:, :2] = maps[:, :2] * (sizes * self._repeat[patches])[:, :, None] - 0.5 * maps[:, 2:]

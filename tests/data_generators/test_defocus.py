@@ -8,6 +8,7 @@ from course_lib.sensor import photons_per_pixel
 from data_generators import disks
 from data_generators.defocus import DefocusedView, levels
 from data_generators.lens import Lens
+from data_generators.quick import QuickRenderer
 from data_generators.render import photograph, radiance
 from data_generators.scene import Patch, Scene
 from data_generators.shot import Shot
@@ -252,6 +253,30 @@ class TestQuick:
         anew = DefocusedView(steps(), breathes=False).picture(camera, lens)
         difference = cv2.blur(magnified - anew, (5, 5))
         assert np.sqrt(np.mean(difference**2)) < 4
+
+    def test_zooming(self):
+        # Whatever the focal length and the pitch: the picture of a view that is drawn for it.
+        view = DefocusedView(steps(), zooms=True, margin=2)
+        for f, pitch in ((50, 0.15), (53, 0.15), (57, 0.15), (35, 0.2), (50, 0.15)):
+            lens = Lens(f, 11, 700)
+            camera = camera_of(lens, (240, 180), pitch)
+            zoomed = view.picture(camera, lens).astype(float)
+            drawn = DefocusedView(steps(), breathes=False).picture(camera, lens)
+            difference = cv2.blur(zoomed - drawn, (5, 5))
+            assert np.sqrt(np.mean(difference**2)) < 6  # corners half a pixel away
+            again = DefocusedView(steps(), zooms=True, margin=2).picture(camera, lens)
+            np.testing.assert_array_equal(zoomed, again)
+
+    def test_a_zooming_view_is_seldom_drawn(self, monkeypatch):
+        drawn, draw = [], QuickRenderer.pieces
+        monkeypatch.setattr(
+            QuickRenderer, "pieces", lambda *given: drawn.append(given) or draw(*given)
+        )
+        view = DefocusedView(steps(), zooms=True)
+        for f in [*range(40, 80, 2), *range(40, 80, 2)]:
+            lens = Lens(f, 4, 1000)
+            view.picture(camera_of(lens, (96, 72), 0.4), lens)
+        assert len(drawn) <= 6  # 1.15 ** 5 > 2
 
     def test_nothing_to_see(self):
         lens = Lens(50, 2, 1000)

@@ -88,7 +88,7 @@ def view() -> DefocusedView:
     from data_generators.defocus import DefocusedView
     from data_generators.signs import street_with_signs
 
-    return DefocusedView(street_with_signs())
+    return DefocusedView(street_with_signs(), zooms=True)
 
 
 def _photograph(f: float, N: float, focus: float, c: float) -> Picture:

@@ -115,7 +115,7 @@ def _seen(points: Floats, through: Camera) -> Floats:
 def angle_probe(camera: Camera) -> Probe:
     """Return the angle between the optical axis and the ray of the pixel, in degrees."""
     w, h = camera.image_size
-    u, v = np.meshgrid(np.linspace(0, w - 1, 25), np.linspace(0, h - 1, 17))
-    rays = camera.pixel_ray(np.stack([u.ravel(), v.ravel()], axis=1))
-    angle = np.degrees(np.arccos(np.clip(rays @ camera.R[2], -1, 1)))
-    return Probe("angle from the axis", "°", angle.reshape(u.shape))
+    nodes = np.meshgrid(np.linspace(0, w - 1, 25), np.linspace(0, h - 1, 17))
+    # The ray K⁻¹ (u, v, 1) = (x, y, 1) has the tangent √(x² + y²).
+    x, y = np.tensordot(np.linalg.inv(camera.K)[:2], [*nodes, np.ones_like(nodes[0])], 1)
+    return Probe("angle from the axis", "°", np.degrees(np.arctan(np.hypot(x, y))))
