@@ -51,6 +51,15 @@ MAY_IMPORT = {
         "data_generators",
     },
     "course_lib.data": set(),
+    "course_lib.lab": {
+        "course_lib.calibrating",
+        "course_lib.data",
+        "course_lib.display",
+        "course_lib.drawing",
+        "course_lib.page",
+        "course_lib.remapping",
+        "data_generators",
+    },
     "course_lib.tie_points": {"course_lib.detection"},
     "course_lib.judging": set(),
     "course_lib.drawing": {
@@ -63,9 +72,11 @@ MAY_IMPORT = {
     },
     "course_lib.exercises": {"course_lib.judging", "course_lib.drawing"},
     "course_lib.widgets": {
+        "course_lib.calibrating",
         "course_lib.detection",
         "course_lib.display",
         "course_lib.drawing",
+        "course_lib.lab",
         "course_lib.remapping",
         "course_lib.tie_points",
         "data_generators",

@@ -1,0 +1,86 @@
+"""What a length is uncertain by, and the ruler beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from course_lib.drawing.diagrams import figure, panels
+from course_lib.drawing.style import FULL_WIDTH, GREY, ROLES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+
+@figure("What each source contributes to the uncertainty of each length, as bars, and their sum.")
+def contributions(lengths: Mapping[str, Mapping[str, float]]) -> Figure:
+    """Show the parts of several lengths' uncertainty.
+
+    Parameters
+    ----------
+    lengths : mapping of str to mapping of str to float
+        By the name of a length: standard deviation from each source, mm.
+
+    Returns
+    -------
+    Figure
+        A panel for each, all to one scale.
+    """
+    fig, grid = panels(1, len(lengths), (FULL_WIDTH, 2.6), sharex=True, squeeze=False)
+    for ax, (name, parts) in zip(grid[0], lengths.items(), strict=True):
+        bars(ax, parts)
+        ax.set_title(name, fontsize=10)
+    return fig
+
+
+def bars(ax: Axes, parts: Mapping[str, float]) -> None:
+    """Draw the parts of one length's uncertainty, and all of them together."""
+    values = [*parts.values(), float(np.hypot.reduce(list(parts.values())))]
+    names = [*parts, "together"]
+    colours = [ROLES["camera"]] * len(parts) + [ROLES["object"]]
+    places = np.arange(len(names))[::-1]
+    ax.barh(places, values, color=colours, height=0.6)
+    ax.set_yticks(places, names)
+    for place, value in zip(places, values, strict=True):
+        ax.text(value + 0.02 * max(values), place, f"{value:.3f}", va="center", fontsize=8)
+    ax.set(xlabel="standard deviation (mm)", xlim=(0, 1.28 * max(values)))
+    ax.tick_params(axis="y", length=0)
+
+
+@figure(
+    "Each length by the camera and by the ruler, with intervals of 95 %, about the ruler's value."
+)
+def ruler_and_camera(
+    names: Sequence[str],
+    differences: Sequence[float],
+    camera: Sequence[float],
+    ruler: Sequence[float],
+) -> Figure:
+    """Show how camera and ruler agree.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the lengths.
+    differences : sequence of float
+        Camera minus ruler, mm.
+    camera, ruler : sequence of float
+        Half the width of their intervals of 95 %, mm.
+
+    Returns
+    -------
+    Figure
+        A row for each.
+    """
+    fig, ax = panels(1, 1, (FULL_WIDTH, 0.9 + 0.65 * len(names)))
+    rows = np.arange(len(names))[::-1]
+    for row, difference, mine, other in zip(rows, differences, camera, ruler, strict=True):
+        ax.fill_between([-other, other], row - 0.3, row + 0.3, color=GREY, alpha=0.3, lw=0)
+        ax.errorbar(difference, row, xerr=mine, fmt="o", color=ROLES["camera"], capsize=4)
+    ax.axvline(0, color=GREY, lw=1)
+    ax.set_yticks(rows, names)
+    ax.set(xlabel="from the ruler's value (mm); grey: the ruler's ±", ylim=(-0.6, len(names) - 0.4))
+    return fig

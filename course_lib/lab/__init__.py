@@ -1,0 +1,35 @@
+"""The lab of chapter 12: photographs to measure in, a camera from them, and a report to hand in."""
+
+from course_lib.lab.figures import (
+    comparison,
+    contact_sheet,
+    contributions,
+    coverage,
+    from_above,
+    lens_bend,
+    rays,
+    straightened,
+)
+from course_lib.lab.photographs import Shot, Work, calibrate, look, shot
+from course_lib.lab.report import Result, show_report, write_report
+from course_lib.lab.supplied import SUPPLIED
+
+__all__ = [
+    "SUPPLIED",
+    "Result",
+    "Shot",
+    "Work",
+    "calibrate",
+    "comparison",
+    "contact_sheet",
+    "contributions",
+    "coverage",
+    "from_above",
+    "lens_bend",
+    "look",
+    "rays",
+    "shot",
+    "show_report",
+    "straightened",
+    "write_report",
+]

@@ -1,0 +1,116 @@
+"""The figures of the lab, for photographs that were looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from course_lib.drawing import lab as draw
+from course_lib.lab.photographs import Shot, Work
+from course_lib.lab.report import Result
+from course_lib.measuring import point_in_space, point_on_plane
+from course_lib.remapping import undistort_picture
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MARGIN = 60.0  # mm around the target in the view from above
+
+
+def contact_sheet(work: Work) -> Figure:
+    """Show all photographs, and which of them can be used."""
+    pictures: list[NDArray[np.uint8] | None] = []
+    for photo in work.photos:
+        if photo.thumbnail is None or photo.header is None:
+            pictures.append(None)
+            continue
+        found = photo.detection.points if photo.detection else np.empty((0, 2))
+        scale = photo.header.size[0] / photo.thumbnail.shape[1]
+        pictures.append(draw.thumbnail(photo.thumbnail, found / scale))
+    names, used = [p.name for p in work.photos], [p.used for p in work.photos]
+    return draw.contact_sheet(pictures, names, used)
+
+
+def coverage(work: Work) -> Figure:
+    """Show where in the picture the target was."""
+    camera = work.camera
+    assert work.solved is not None
+    columns, rows = work.target.columns, work.target.rows
+    corners = (0, columns - 1, columns * rows - 1, columns * (rows - 1))
+    return draw.covered(work.solved.pixels, camera.image_size, corners)
+
+
+def lens_bend(work: Work) -> Figure:
+    """Show by how much the lens moves what a pinhole would show."""
+    camera = work.camera
+    return draw.lens_bend(camera.K, camera.coefficients, camera.image_size)
+
+
+def from_above(work: Work, shot: Shot, ends: ArrayLike | None = None, text: str = "") -> Figure:
+    """Show the plane of the target as seen from straight above, and a length on it.
+
+    Parameters
+    ----------
+    work : Work
+        With its camera.
+    shot : Shot
+        The photograph.
+    ends : array_like, shape (2, 2), optional
+        Pixels of both ends.
+    text : str
+        Written at the length.
+    """
+    view, points = shot.view, work.target.points()[:, :2]
+    if ends is not None:
+        ends = point_on_plane(ends, view)[:, :2]
+        points = np.vstack([points, ends[np.isfinite(ends).all(axis=1)]])
+    low, high = points.min(axis=0) - MARGIN, points.max(axis=0) + MARGIN
+    size = np.ptp(work.target.points()[:, :2], axis=0).max()
+    low, high = np.maximum(low, -2 * size), np.minimum(high, 3 * size)
+    camera = (view.K, view.coefficients, view.R, view.t)
+    extent = (float(low[0]), float(high[0]), float(low[1]), float(high[1]))
+    return draw.from_above(shot.photograph, camera, extent, ends, text)
+
+
+def rays(work: Work, shots: Sequence[Shot], pointed: Sequence[ArrayLike]) -> Figure:
+    """Show from where both ends of a length in space were seen.
+
+    Parameters
+    ----------
+    work : Work
+        With its camera.
+    shots : sequence of Shot
+        Two photographs.
+    pointed : sequence of array_like, shape (2, 2)
+        Pixels of both ends in each.
+    """
+    views = [shot.view for shot in shots]
+    ends = point_in_space(np.stack([np.asarray(p, float) for p in pointed]), views)
+    one, other = (view.centre - ends.mean(axis=0) for view in views[:2])
+    cosine = one @ other / (np.linalg.norm(one) * np.linalg.norm(other))
+    angle = float(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
+    return draw.rays_from_above(work.target.points(), [v.centre for v in views], ends, angle)
+
+
+def straightened(work: Work, shot: Shot) -> NDArray[np.uint8]:
+    """Return a photograph without the bend of the lens."""
+    straight = undistort_picture(shot.photograph, work.camera.K, work.camera.coefficients)
+    return np.asarray(straight, np.uint8)
+
+
+def contributions(results: Sequence[Result]) -> Figure:
+    """Show what each length is uncertain by."""
+    return draw.contributions({r.name: r.length.parts for r in results})
+
+
+def comparison(results: Sequence[Result]) -> Figure:
+    """Show how camera and ruler agree."""
+    return draw.ruler_and_camera(
+        [r.name for r in results],
+        [r.difference for r in results],
+        [r.length.plus_minus for r in results],
+        [r.ruler_pm for r in results],
+    )
