@@ -87,9 +87,7 @@ def _seconds(command: list[str], folder: Path) -> float:
 
 def _seconds_to_answer(command: list[str], limit: float = 60) -> float:
     """Start a Lab on a free port; return how long it takes until its page is served."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = free_port()
     start = time.perf_counter()
     process = subprocess.Popen(
         [*command, f"--ServerApp.port={port}"],
@@ -114,3 +112,10 @@ def _seconds_to_answer(command: list[str], limit: float = 60) -> float:
         with suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGTERM)
         process.wait()
+
+
+def free_port() -> int:
+    """Return a port that nobody listens at."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])

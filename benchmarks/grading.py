@@ -29,7 +29,7 @@ def grading(rounds: int = 1, submissions: int = 60) -> list[Row]:
     """Measure a class of honest submissions to the real notebook of chapter 01."""
     with tempfile.TemporaryDirectory() as folder:
         term, stock = Path(folder) / "term", Path(folder) / "stock"
-        _make(term, submissions)
+        make_term(term, submissions)
         shutil.copytree(term, stock)
         (stock / "nbgrader_config.py").write_text(STOCK, encoding="utf-8")
         ours, theirs = [], []
@@ -42,7 +42,7 @@ def grading(rounds: int = 1, submissions: int = 60) -> list[Row]:
     return [Row("course grade, a submission", a, "s", "nbgrader autograde", b, "≤ 0.1 ×")]
 
 
-def _make(term: Path, number: int) -> None:
+def make_term(term: Path, number: int) -> None:
     """Make a term with a class that only handed in what every grader can bear."""
     sys.path[:0] = [str(ROOT / "tests/exercises")]
     from second_solutions import second_solutions

@@ -7,7 +7,6 @@ import os
 import pwd
 import secrets
 import shutil
-import socket
 import subprocess
 import tempfile
 import time
@@ -15,6 +14,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+
+from benchmarks.commands import free_port
 
 OWNER = "teacher"
 #: Who runs the server where root starts it: PostgreSQL refuses root. Debian's package makes it.
@@ -34,10 +35,10 @@ class Server:
     port: int
     environment: dict[str, str]
 
-    def make_database(self, name: str) -> str:
-        """Make an empty database; return its URL, in which there is no password."""
+    def make_database(self, name: str, template: str = "template0") -> str:
+        """Make a database, empty or a copy; return its URL, in which there is no password."""
         where = ["--host=127.0.0.1", f"--port={self.port}", f"--username={OWNER}"]
-        command = [_program("createdb"), *where, name]
+        command = [_program("createdb"), *where, f"--template={template}", name]
         subprocess.run(command, env=os.environ | self.environment, check=True)
         return f"postgresql://{OWNER}@127.0.0.1:{self.port}/{name}"
 
@@ -61,7 +62,7 @@ def postgres_server() -> Iterator[Server]:
                 os.chown(path, owner.pw_uid, owner.pw_gid)
         options = [f"--username={OWNER}", f"--pwfile={password}", "--auth=scram-sha-256"]
         _run([_program("initdb"), "-D", f"{folder}/data", *options, "-E", "UTF8", "--no-sync"])
-        port = _free_port()
+        port = free_port()
         entry = f"127.0.0.1:{port}:*:{OWNER}:{password.read_text()}"
         with tempfile.NamedTemporaryFile("w", prefix="pgpass-") as passes:  # 0600, and ours
             passes.write(entry)
@@ -114,9 +115,3 @@ def _run(command: list[str]) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False, **_as_owner())
     if done.returncode:
         raise NoServerError(f"{command[0]} failed: {done.stderr[-500:]}")
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
