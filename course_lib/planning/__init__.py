@@ -13,8 +13,9 @@ from course_lib.planning.flight import (
     overlap,
     photo_count,
 )
-from course_lib.planning.setup import Setup, Task, Verdict, judge_setup
+from course_lib.planning.setup import judge_setup
 from course_lib.planning.strips import FlightPlan, plan_flight, views_of_ground
+from course_lib.planning.task import Setup, Task, Verdict
 from course_lib.planning.view import Box, BoxInView, box_in_view, depth_range, object_resolution
 
 __all__ = [

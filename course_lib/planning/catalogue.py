@@ -35,7 +35,7 @@ class CameraModel:
     mount : str
         What its lens is fixed with; a lens fits only on the same.
     source : str
-        Where the figures are published.
+        Where the figures are published, and which of them could not be confirmed.
     """
 
     name: str
@@ -79,10 +79,13 @@ class LensModel:
         Range of its f-numbers.
     closest : float
         Shortest distance that it can be focused on, m.
+    image_circle_mm : float
+        Diameter of the circle that it draws; where its maker names a format only, that format's
+        diagonal (2/3 inch: 11 mm; 24 x 36 mm: 43.3 mm). Focused near, it draws a larger one.
     mount : str
         What it is fixed with.
     source : str
-        Where the figures are published.
+        Where the figures are published, and which of them could not be confirmed.
     """
 
     name: str
@@ -90,11 +93,12 @@ class LensModel:
     N_least: float
     N_most: float
     closest: float
+    image_circle_mm: float
     mount: str
     source: str
 
     def __post_init__(self) -> None:
-        for name in ("f_mm", "N_least", "N_most", "closest"):
+        for name in ("f_mm", "N_least", "N_most", "closest", "image_circle_mm"):
             object.__setattr__(self, name, check_length(getattr(self, name), name))
         if self.N_least > self.N_most:
             got = f"got {self.N_least} and {self.N_most}"
@@ -129,8 +133,8 @@ def read_lenses(path: str | Path = HERE / "lenses.tsv") -> dict[str, LensModel]:
     Parameters
     ----------
     path : str or Path
-        A table with tabs: name, f_mm, N_least, N_most, closest (m), mount, source. The course's own
-        unless given.
+        A table with tabs: name, f_mm, N_least, N_most, closest (m), image_circle_mm, mount,
+        source. The course's own unless given.
 
     Returns
     -------
@@ -152,8 +156,9 @@ def _camera(row: dict[str, str]) -> CameraModel:
 
 
 def _lens(row: dict[str, str]) -> LensModel:
-    f_mm, least, most, closest = (float(row[n]) for n in ("f_mm", "N_least", "N_most", "closest"))
-    return LensModel(row["name"], f_mm, least, most, closest, row["mount"], row["source"])
+    names = ("f_mm", "N_least", "N_most", "closest", "image_circle_mm")
+    numbers = {name: float(row[name]) for name in names}
+    return LensModel(name=row["name"], mount=row["mount"], source=row["source"], **numbers)
 
 
 def _rows(path: str | Path, read: Any) -> list[Any]:

@@ -5,141 +5,19 @@ Use these functions through `course_lib.planning`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
-
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.camera import Camera, camera_at
-from course_lib.checks import Array, check_length, check_not_negative
-from course_lib.optics import airy_diameter, circle_of_confusion, image_distance, magnification
-from course_lib.planning.catalogue import CameraModel, LensModel
+from course_lib.checks import Array, check_not_negative
+from course_lib.optics import airy_diameter, circle_of_confusion, magnification
 from course_lib.planning.depth import ApertureWindow, aperture_window
-from course_lib.planning.view import Box, box_in_view, depth_range, object_resolution
+from course_lib.planning.task import Setup, Task, Verdict
+from course_lib.planning.view import box_in_view, depth_range, object_resolution
 from course_lib.sensor import motion_blur_pixels
 from course_lib.triangulation import point_covariance
 
 WAVELENGTH_UM = 0.55  # green
-
-
-@dataclass(frozen=True, eq=False)
-class Task:
-    """What a measurement asks of its cameras.
-
-    Attributes
-    ----------
-    box : Box
-        What must be in the picture and sharp.
-    normal : ndarray, shape (3,)
-        Direction across the surface that is measured.
-    motion : float
-        How far the object moves to each side, m.
-    speed : float
-        Of its fastest point, m/s.
-    resolution : float
-        The most that one pixel may cover on the surface, m.
-    frame_rate : float
-        Pictures a second, 1/s.
-    blur_px : float
-        Largest spot, by defocus or by diffraction, and longest smear that count as sharp, px.
-    sigma : float
-        Largest standard deviation of a point in space, m; ``np.inf`` with one camera.
-    exposure_at_f1 : float
-        Exposure time that the light needs at f/1, s; 0 if there is always enough.
-    """
-
-    box: Box
-    normal: Array
-    resolution: float
-    motion: float = 0.0
-    speed: float = 0.0
-    frame_rate: float = 1.0
-    blur_px: float = 1.5
-    sigma: float = np.inf
-    exposure_at_f1: float = 0.0
-
-
-@dataclass(frozen=True, eq=False)
-class Setup:
-    """A camera with a lens somewhere, and how both are set.
-
-    Attributes
-    ----------
-    camera : CameraModel
-    lens : LensModel
-    eye, target : ndarray, shape (3,)
-        Where the lens is, and where it looks, m.
-    N : float
-        f-number.
-    exposure_time : float
-        s.
-    focus_distance : float
-        From the lens along its axis, m.
-    coefficients : tuple of float
-        Distortion of the lens, in OpenCV's order; none unless given.
-    up : tuple of float
-        Direction in the world that is upwards in the picture.
-
-    Raises
-    ------
-    TypeError, ValueError
-        If the lens does not fit or a setting is not positive.
-    """
-
-    camera: CameraModel
-    lens: LensModel
-    eye: Array
-    target: Array
-    N: float
-    exposure_time: float
-    focus_distance: float
-    coefficients: tuple[float, ...] = ()
-    up: tuple[float, float, float] = (0, 0, 1)
-
-    def __post_init__(self) -> None:
-        for name in ("N", "exposure_time", "focus_distance"):
-            object.__setattr__(self, name, check_length(getattr(self, name), name))
-        if self.camera.mount != self.lens.mount:
-            raise ValueError(
-                f"{self.lens.name} has the mount {self.lens.mount}, {self.camera.name} has "
-                f"{self.camera.mount}: choose a lens that fits"
-            )
-
-    @cached_property
-    def view(self) -> Camera:
-        """The pinhole camera of the set-up: its image distance is that of the focus."""
-        distance = image_distance(self.lens.f_mm, 1000 * self.focus_distance)
-        K = self.camera.intrinsics(self.lens)
-        K[:2, :2] *= float(distance) / self.lens.f_mm
-        return camera_at(self.eye, self.target, K, self.camera.image_size, self.up)
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """One demand: whether it is met, and why.
-
-    Attributes
-    ----------
-    name : str
-        Of the demand.
-    met : bool
-    value, limit : float
-        What the set-up gives, and what is asked for, in `unit`.
-    unit : str
-    reason : str
-        In a sentence.
-    remedy : str
-        What would make it work; empty if it does.
-    """
-
-    name: str
-    met: bool
-    value: float
-    limit: float
-    unit: str
-    reason: str
-    remedy: str = ""
+NOMINAL = 0.01  # share by which sensors and image circles of a format differ from its name
 
 
 def judge_setup(setup: Setup, task: Task, second: Setup | None = None) -> list[Verdict]:
@@ -157,8 +35,8 @@ def judge_setup(setup: Setup, task: Task, second: Setup | None = None) -> list[V
     Returns
     -------
     list of Verdict
-        In view, resolution, depth of field, diffraction, closest focus, motion blur, frame rate,
-        light and, with a pair, the expected standard deviation in space.
+        In view, resolution, depth of field, diffraction, closest focus, image circle, motion blur,
+        frame rate, light and, with a pair, the expected standard deviation in space.
 
     Raises
     ------
@@ -166,7 +44,8 @@ def judge_setup(setup: Setup, task: Task, second: Setup | None = None) -> list[V
         If the box reaches behind the camera so that it has no depth range.
     """
     found = [demand(setup, task) for demand in (in_view, resolution, depth_of_field, diffraction)]
-    found += [demand(setup, task) for demand in (closest_focus, motion_blur, frame_rate, light)]
+    found += [demand(setup, task) for demand in (closest_focus, image_circle, motion_blur)]
+    found += [demand(setup, task) for demand in (frame_rate, light)]
     return found + ([expected_sigma(setup, second, task)] if second else [])
 
 
@@ -229,6 +108,15 @@ def closest_focus(setup: Setup, task: Task) -> Verdict:
     reason = f"The focus is at {setup.focus_distance:.3g} m; this lens begins at {closest:g} m."
     remedy = "" if met else "Stand farther off, or take a lens or an extension ring for close work."
     return Verdict("closest focus", met, setup.focus_distance, closest, "m", reason, remedy)
+
+
+def image_circle(setup: Setup, task: Task) -> Verdict:
+    """Return whether what the lens draws covers the whole sensor; one of the same format does."""
+    circle, diagonal = setup.lens.image_circle_mm, float(np.hypot(*setup.camera.sensor_size))
+    met = circle >= diagonal * (1 - NOMINAL)
+    reason = f"The lens draws a circle of {circle:.3g} mm; the sensor's diagonal is {diagonal:.3g}."
+    remedy = "" if met else "The corners stay dark: take a lens for a larger sensor."
+    return Verdict("image circle", met, circle, diagonal, "mm", reason, remedy)
 
 
 def motion_blur(setup: Setup, task: Task) -> Verdict:

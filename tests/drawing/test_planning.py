@@ -105,7 +105,7 @@ def test_the_table_has_a_cross_where_a_demand_is_missed():
     texts = [text.get_text() for text in draw.verdicts().axes[0].texts]
     missed = sum(not v.met for _, verdicts in draw.compared() for v in verdicts)
     assert sum(text.startswith("✗") for text in texts) == missed > 5
-    assert sum(text.startswith("✓") for text in texts) == 5 * 9 - missed
+    assert sum(text.startswith("✓") for text in texts) == 5 * 10 - missed
 
 
 def test_the_room_for_the_aperture_ends_where_demands_touch():

@@ -194,6 +194,12 @@ def test_the_set_ups_compared():
     assert small["depth of field"].met
 
 
+def test_the_image_circle():
+    assert TABLE["image circle"].limit == about(37.9, 1)
+    assert TABLE["image circle"].value == 43.3 == round(np.hypot(24, 36), 1)
+    says("37.9 mm for the high-speed camera", "24 × 36 mm draws 43.3 mm")
+
+
 def verdicts_of(**changes):
     setting = {
         "camera": "Phantom v2640",
@@ -225,7 +231,7 @@ def test_what_the_set_up_planner_shows():
     says("from 1.25 m, with ± 15°, f/10 and 200 µs")
     cameras, lenses = read_cameras(), read_lenses()
     one = draw.stand(cameras[PHANTOM], lenses[short["lens"]], 1.25, shaker.TURN, 10, 2e-4)
-    longest = 200 * 1.5 / judge_setup(one, draw.TASK)[5].value
+    longest = 200 * 1.5 / judge_setup(one, draw.TASK)[6].value
     assert longest == about(236, 0)
     assert np.sqrt(longest / 2) == about(10.9, 1)
     assert aperture_window(50, *depth_range(draw.BOX, one.view), 20.25).least == about(8.8, 1)

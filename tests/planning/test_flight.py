@@ -183,22 +183,32 @@ class TestCatalogue:
         K = camera.intrinsics(read_lenses()["Zeiss Milvus 1.4/85"])
         assert K[0, 0] == pytest.approx(6307.2, rel=0.002)
 
+    def test_the_lenses_of_the_text_cover_their_sensors_and_some_do_not(self):
+        """2/3 inch is 11 mm; the sensor of type 1/1.2 has a diagonal of 13.4 mm."""
+        cameras, lenses = read_cameras(), read_lenses()
+        sides = {name: np.hypot(*camera.sensor_size) for name, camera in cameras.items()}
+        assert sides["Phantom v2640, 2048 x 1920"] == pytest.approx(37.9, abs=0.05)
+        assert sides["mvBlueFOX3-2051"] == pytest.approx(11.07, abs=0.01)
+        assert sides["mvBlueFOX3-2024a"] == pytest.approx(13.4, abs=0.05)
+        assert lenses["Zeiss Milvus 1.4/85"].image_circle_mm == round(np.hypot(24, 36), 1)
+        assert lenses["Computar M2514-MP2"].image_circle_mm == pytest.approx(np.hypot(8.8, 6.6))
+
     def test_a_reader_adds_a_line(self, tmp_path):
         table = tmp_path / "mine.tsv"
-        head = "name\tf_mm\tN_least\tN_most\tclosest\tmount\tsource\n"
-        table.write_text(head + "Mine\t12\t2\t16\t0.2\tC\tthe box\n", encoding="utf-8")
-        assert read_lenses(table) == {"Mine": LensModel("Mine", 12, 2, 16, 0.2, "C", "the box")}
+        head = "name\tf_mm\tN_least\tN_most\tclosest\timage_circle_mm\tmount\tsource\n"
+        table.write_text(head + "Mine\t12\t2\t16\t0.2\t11\tC\tthe box\n", encoding="utf-8")
+        assert read_lenses(table) == {"Mine": LensModel("Mine", 12, 2, 16, 0.2, 11, "C", "the box")}
 
     @pytest.mark.parametrize(
         ("text", "message"),
         [
             ("name\tf_mm\nMine\t12\n", "mine.tsv has no column 'N_least'"),
             (
-                "name\tf_mm\tN_least\tN_most\tclosest\tmount\tsource\nMine\ttwelve\t2\t16\t1\tC\tbox\n",
+                "name\tf_mm\tN_least\tN_most\tclosest\timage_circle_mm\tmount\tsource\nMine\ttwelve\t2\t16\t1\t11\tC\tbox\n",
                 "mine.tsv, line 2: could not convert",
             ),
             (
-                "name\tf_mm\tN_least\tN_most\tclosest\tmount\tsource\nMine\t12\t16\t2\t1\tC\tbox\n",
+                "name\tf_mm\tN_least\tN_most\tclosest\timage_circle_mm\tmount\tsource\nMine\t12\t16\t2\t1\t11\tC\tbox\n",
                 "line 2: N_least must not be above N_most",
             ),
         ],

@@ -16,7 +16,7 @@ from course_lib.planning import (
 from course_lib.triangulation import triangulate
 
 CAMERA = read_cameras()["mvBlueFOX3-2024a"]
-LENS = read_lenses()["Computar M2514-MP2"]
+LENS = replace(read_lenses()["Computar M2514-MP2"], image_circle_mm=13.4)  # as its sensor wants
 BOX = Box([0.25, 0.1, 0.2])
 NORMAL = np.array([0, -1.0, 0])
 TASK = Task(BOX, NORMAL, resolution=3e-4, motion=0.005, speed=0.2, frame_rate=30, sigma=3e-4)
@@ -33,11 +33,11 @@ class TestVerdicts:
     def test_a_good_setup_meets_every_demand(self):
         verdicts = judge_setup(GOOD, TASK, OTHER)
         assert [v.name for v in verdicts if not v.met] == []
-        assert len(verdicts) == 9
+        assert len(verdicts) == 10
         assert all(v.reason.endswith(".") and not v.remedy for v in verdicts)
 
     def test_one_camera_is_not_asked_about_space(self):
-        assert len(judge_setup(GOOD, TASK)) == 8
+        assert len(judge_setup(GOOD, TASK)) == 9
 
     @pytest.mark.parametrize(
         ("name", "setup", "task"),
@@ -48,6 +48,7 @@ class TestVerdicts:
             ("depth of field", {"focus_distance": 0.8}, {}),
             ("diffraction", {"N": 16}, {}),
             ("closest focus", {"focus_distance": 0.25}, {}),
+            ("image circle", {"lens": read_lenses()["Computar M2514-MP2"]}, {}),
             ("motion blur", {"exposure_time": 1 / 60}, {}),
             ("frame rate", {"exposure_time": 1 / 20}, {}),
             ("frame rate", {}, {"frame_rate": 100}),

@@ -28,9 +28,9 @@ Pixels = NDArray[np.uint8]
 VIEW_SIZE, PIXELS_SIZE, TABLE_SIZE = (320, 320), (148, 320), (470, 320)
 SIDE, TIMES = 46, 3  # px of a close-up, and by how much it is enlarged
 TOPS = (20, 180)  # px: where the close-ups begin
-ROW = 35  # px: height of a row of the table
+ROW = 31  # px: height of a row of the table
 #: Demands whose number must not be smaller than the limit; the others', not larger.
-AT_LEAST = ("in view", "closest focus", "frame rate", "light")
+AT_LEAST = ("in view", "closest focus", "image circle", "frame rate", "light")
 
 
 @cache
