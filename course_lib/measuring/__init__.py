@@ -7,7 +7,8 @@ viewer. Pixels are those of the real picture, with distortion.
 
 from course_lib.measuring.measured import Measured, pointing_sigma
 from course_lib.measuring.plane import distance_on_plane, point_on_plane
-from course_lib.measuring.space import distance_in_space, point_in_space
+from course_lib.measuring.space import distance_in_space, point_in_space, rays_miss
+from course_lib.measuring.target import target_offsets
 from course_lib.measuring.view import View, view_of_target, views_of_pair
 
 __all__ = [
@@ -18,6 +19,8 @@ __all__ = [
     "point_in_space",
     "point_on_plane",
     "pointing_sigma",
+    "rays_miss",
+    "target_offsets",
     "view_of_target",
     "views_of_pair",
 ]

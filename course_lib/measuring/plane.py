@@ -145,7 +145,8 @@ def distance_on_plane(
     lift = abs(float(np.einsum("ki,ki->", by_pixel, by_point[..., 2])))
     parts = shares([view], [state], by_pixel)
     parts["pointing"] *= pointing
-    return Measured(value, {**parts, "target": scale * value, "height": lift * height_sigma})
+    parts["target"] = float(np.hypot(parts["target"], scale * value))
+    return Measured(value, {**parts, "height": lift * height_sigma})
 
 
 def length_and_line(points: Array) -> tuple[float, Array]:

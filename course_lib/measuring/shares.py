@@ -13,6 +13,9 @@ import numpy as np
 from course_lib.checks import Array, check_length, check_not_negative, check_number
 from course_lib.measuring.view import View
 
+#: How far errors of a target reach, ℓ, by its diagonal.
+SHARED = 0.25
+
 
 def check_sigmas(pointing: float, **others: float) -> None:
     """Raise unless pointing is positive and the other standard deviations are not negative."""
@@ -36,7 +39,7 @@ def shares(views: Sequence[View], by_state: Sequence[Array], by_pixel: Array) ->
     Returns
     -------
     dict of str to float
-        ``"pointing"`` (for 1 px), ``"pose"`` and ``"camera"``.
+        ``"pointing"`` (for 1 px), ``"pose"``, ``"camera"`` and ``"target"``.
 
     References
     ----------
@@ -54,4 +57,24 @@ def shares(views: Sequence[View], by_state: Sequence[Array], by_pixel: Array) ->
         common[id(view.covariance)] = C, sum_before + g @ view.follows
     shared = sum(float(g @ C @ g) for C, g in common.values())
     variances = {"pointing": float((by_pixel**2).sum()), "pose": own, "camera": shared}
+    variances["target"] = _by_unevenness(views, by_state)
     return {name: float(np.sqrt(max(value, 0.0))) for name, value in variances.items()}
+
+
+def _by_unevenness(views: Sequence[View], by_state: Sequence[Array]) -> float:
+    """Return the variance of a length by errors of the target, which are alike in all pictures.
+
+    Points a distance r apart share their error by ``exp(-r² / 2ℓ²)``, in each direction. An error
+    that each point has alone would average out, one that all share would only shift the target: ℓ
+    is between, where it does about the most harm.
+    """
+    points = np.concatenate([view.target for view in views])
+    if not len(points):
+        return 0.0
+    moves = [
+        view.unevenness * np.einsum("i,inj->nj", g[-6:], view.by_target)
+        for view, g in zip(views, by_state, strict=True)
+    ]
+    move, length = np.concatenate(moves), SHARED * float(np.linalg.norm(np.ptp(points, axis=0)))
+    apart = ((points[:, None] - points[None]) ** 2).sum(axis=-1)
+    return float(np.einsum("nj,nm,mj->", move, np.exp(-apart / (2 * length**2)), move))

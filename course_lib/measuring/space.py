@@ -67,6 +67,44 @@ def point_in_space(pixels: ArrayLike, views: Sequence[View]) -> Array:
     return refine_point(triangulate_linear(straight, cameras), straight, cameras)
 
 
+def rays_miss(pixels: ArrayLike, views: Sequence[View]) -> float:
+    """Return how far the rays of the same points miss each other, in the pictures.
+
+    Two pictures give four numbers for the three of a point: one is left over, and tells whether
+    all of them belong together. Much more than what was pointed with means that something has
+    moved between the pictures, or that two different points were taken for one.
+
+    Parameters
+    ----------
+    pixels : array_like, shape (V, N, 2) or (V, 2)
+        As for `point_in_space`.
+    views : sequence of View
+        As for `point_in_space`.
+
+    Returns
+    -------
+    float
+        Standard deviation of a coordinate of a pixel, px, judged by the residuals r of all points:
+        ``√(Σ r² / (N (2 V - 3)))``.
+
+    Raises
+    ------
+    TypeError, ValueError, DegenerateConfigurationError
+        As `point_in_space`.
+
+    References
+    ----------
+    E. M. Mikhail, F. Ackermann, Observations and Least Squares, chapter 4 (reference variance).
+    """
+    points = np.atleast_2d(point_in_space(pixels, views))
+    seen = np.asarray(pixels, float).reshape(len(views), -1, 2)
+    squares = sum(
+        float(((pixels_and_slopes(view, points)[0] - own) ** 2).sum())
+        for view, own in zip(views, seen, strict=True)
+    )
+    return float(np.sqrt(squares / (len(points) * (2 * len(views) - 3))))
+
+
 def distance_in_space(
     one: ArrayLike,
     other: ArrayLike,
@@ -121,4 +159,5 @@ def distance_in_space(
     by_state = [-np.einsum("ki,kij->j", by_pixel[:, i], s) for i, s in enumerate(states)]
     parts = shares(views, by_state, by_pixel)
     parts["pointing"] *= pointing
-    return Measured(value, {**parts, "target": scale * value})
+    parts["target"] = float(np.hypot(parts["target"], scale * value))
+    return Measured(value, parts)

@@ -5,7 +5,7 @@ Use these names through `course_lib.measuring`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,7 +16,7 @@ from course_lib.calibration.model import COEFFICIENTS, State, camera_numbers
 from course_lib.calibration.quality import posed_boards
 from course_lib.calibration.refinement import minimised
 from course_lib.calibration.views import Views, gather_views
-from course_lib.checks import Array
+from course_lib.checks import Array, check_not_negative, check_number
 from course_lib.transforms import camera_centre
 
 
@@ -24,9 +24,10 @@ from course_lib.transforms import camera_centre
 class View:
     """A picture of a calibrated camera whose pose is known, each with its uncertainty.
 
-    The errors have two sources. The numbers θ that were calibrated are common to all pictures:
-    views with the same array `covariance` share their error. The pose also has an error of its
-    own, from the noise in this picture's corners.
+    The errors have three sources. The numbers θ that were calibrated are common to all pictures:
+    views with the same array `covariance` share their error. The target is not quite as it should
+    be, in all pictures alike. And the pose has an error of its own, from the noise in this
+    picture's corners.
 
     Attributes
     ----------
@@ -47,6 +48,12 @@ class View:
         Of the pose, if the camera were known exactly.
     sigma0 : float
         Standard deviation of a coordinate of a corner in this picture, px; NaN without a target.
+    target : ndarray, shape (N, 3)
+        The points of the target that the pose comes from.
+    by_target : ndarray, shape (6, N, 3)
+        Derivatives of the pose by these points.
+    unevenness : float
+        Standard deviation of these points, in each direction.
     """
 
     K: Array
@@ -58,6 +65,9 @@ class View:
     follows: Array
     pose_covariance: Array
     sigma0: float
+    target: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    by_target: Array = field(default_factory=lambda: np.zeros((6, 0, 3)))
+    unevenness: float = 0.0
 
     @property
     def centre(self) -> Array:
@@ -65,12 +75,18 @@ class View:
         return camera_centre(self.R, self.t)
 
 
-def view_of_target(target_points: ArrayLike, pixels: ArrayLike, calibration: Calibration) -> View:
+def view_of_target(
+    target_points: ArrayLike,
+    pixels: ArrayLike,
+    calibration: Calibration,
+    unevenness: float = 0.0,
+) -> View:
     """Return the picture's pose from the target in it.
 
     An error δθ of the camera's numbers also moves the pose that fits best,
     ``δp = -(Jₚᵀ Jₚ)⁻¹ Jₚᵀ J_θ δθ``. So errors of camera and pose are not independent, and for
-    points near the target they nearly cancel.
+    points near the target they nearly cancel. An error δX of the target's points moves it by
+    ``-(Jₚᵀ Jₚ)⁻¹ Jₚᵀ J_X δX``.
 
     Parameters
     ----------
@@ -80,6 +96,10 @@ def view_of_target(target_points: ArrayLike, pixels: ArrayLike, calibration: Cal
         Where they are in this picture, with distortion.
     calibration : Calibration
         The camera, calibrated with other pictures.
+    unevenness : float
+        Standard deviation of the target's points from where they should be, in each direction:
+        paper is not flat, and printers and glue stretch it here and there. Neighbours share such
+        an error, so that more corners do not average it away.
 
     Returns
     -------
@@ -98,24 +118,27 @@ def view_of_target(target_points: ArrayLike, pixels: ArrayLike, calibration: Cal
     E. M. Mikhail, F. Ackermann, Observations and Least Squares, chapter 4 (propagation of
     covariances); K. Kraus, Photogrammetry, 2nd ed., section 4.2 (spatial resection).
     """
+    unevenness = check_number(check_not_negative(unevenness, "unevenness"), "unevenness")
     views = gather_views([target_points], [pixels])
-    state, normals = minimised(posed_boards(calibration.K, calibration.coefficients, views), views)
-    known = State(calibration.model, state.camera, state.R, state.t)
-    J = slopes_at(known, views)
-    n = len(calibration.model.names)
-    rows = J.reshape(-1, n + 6)
-    weights = np.linalg.inv(rows[:, n:].T @ rows[:, n:])
+    K, k = calibration.K, calibration.coefficients
+    state, normals = minimised(posed_boards(K, k, views), views)
     variance = normals.cost / (views.observations - 6)
-    return View(
-        K=calibration.K,
-        coefficients=calibration.coefficients,
-        R=state.R[0],
-        t=state.t[0],
-        model=calibration.model,
+    target, nothing = views.points[0].T, np.zeros((6, 6))
+    model, n = calibration.model, len(calibration.model.names)
+    exact = View(K, k, state.R[0], state.t[0], model, nothing, nothing, nothing, 0.0)
+    _, by_state, by_point = pixels_and_slopes(exact, target)
+    rows = by_state.reshape(-1, n + 6)
+    weights = np.linalg.inv(rows[:, n:].T @ rows[:, n:])
+    back = -weights @ rows[:, n:].T
+    return replace(
+        exact,
         covariance=calibration.covariance,
-        follows=np.vstack([np.eye(n), -weights @ rows[:, n:].T @ rows[:, :n]]),
+        follows=np.vstack([np.eye(n), back @ rows[:, :n]]),
         pose_covariance=np.asarray(variance * weights),
         sigma0=float(np.sqrt(variance)),
+        target=target,
+        by_target=np.einsum("ink,nkj->inj", back.reshape(6, -1, 2), by_point),
+        unevenness=unevenness,
     )
 
 
@@ -205,8 +228,3 @@ def pixels_and_slopes(view: View, points: Array) -> tuple[Array, Array, Array]:
     block = next(derivative_blocks(state, views))[0].transpose(2, 1, 0).copy()
     slopes = block[..., :-1]
     return block[..., -1], slopes, slopes[..., -3:] @ view.R
-
-
-def slopes_at(state: State, views: Views) -> Array:
-    """Return the derivatives of one view's pixels by camera and pose, shape (N, 2, n + 6)."""
-    return next(derivative_blocks(state, views))[0, :-1].transpose(2, 1, 0).copy()

@@ -26,9 +26,12 @@ from course_lib.measuring import (
     point_in_space,
     point_on_plane,
     pointing_sigma,
+    rays_miss,
+    target_offsets,
     view_of_target,
     views_of_pair,
 )
+from course_lib.orientation import similarity_transform
 from course_lib.transforms import compose, rotation_from_vector, rotation_x, rotation_y
 from data_generators.board_observations import observe_board
 
@@ -105,6 +108,23 @@ class TestTruth:
         np.testing.assert_allclose(view.R, cv2.Rodrigues(turn)[0], atol=2e-5)
         np.testing.assert_allclose(view.t, t[:, 0], atol=5e-3)
 
+    def test_rays_miss_as_far_as_they_are_pointed(self, exact):
+        points = RAISED[0] + np.random.default_rng(1).uniform(-30, 30, (400, 3))
+        pixels = np.stack([image(points, pose) for pose in POSES])
+        assert rays_miss(pixels, exact[1]) < 1e-6
+        noise = np.random.default_rng(2).normal(0, 0.7, pixels.shape)
+        assert rays_miss(pixels + noise, exact[1]) == pytest.approx(0.7, rel=0.08)
+
+    def test_offsets_of_the_target(self):
+        """Points that are off by known amounts are found from the pictures alone."""
+        offsets = np.random.default_rng(3).normal(0, 0.2, TARGET.shape)
+        camera = calibrated(noise=0)
+        turns = (rotation_x(0.4), rotation_x(-0.4), rotation_y(0.4), rotation_y(-0.4), np.eye(3))
+        poses = [(turn, np.array([-40.0, -50, 420])) for turn in turns]
+        found = target_offsets(camera, TARGET, [image(TARGET + offsets, pose) for pose in poses])
+        fit = similarity_transform(TARGET + offsets, TARGET)
+        np.testing.assert_allclose(found, fit.apply(TARGET + offsets) - TARGET, atol=2e-3)
+
     def test_many_pictures_are_better_than_two(self, exact):
         poses = [*POSES, (rotation_x(-0.5), np.array([-90.0, -40, 460]))]
         views = targeted(exact[0], poses=poses)
@@ -154,6 +174,20 @@ class TestScatter:
             found.append(both([view_of_target(TARGET, s, exact[0]) for s in seen], *PIXELS))
         for lengths in zip(*found, strict=True):
             agrees(lengths, "pose", 0.03)
+
+    def test_target(self, exact):
+        """A target whose points are off, neighbours by nearly the same, in all pictures alike."""
+        apart = np.linalg.norm(TARGET[:, None] - TARGET, axis=2)
+        reach = 0.25 * np.hypot(80, 100)
+        likeness = np.exp(-(apart**2) / (2 * reach**2)) + 1e-9 * np.eye(len(TARGET))
+        noise = spread(200, (len(TARGET), 3), 0.1, np.random.default_rng(7))
+        found = []
+        for each in np.linalg.cholesky(likeness) @ noise:
+            seen = [image(TARGET + each, pose) for pose in POSES]
+            views = [view_of_target(TARGET, pixels, exact[0], 0.1) for pixels in seen]
+            found.append(both(views, *PIXELS))
+        for lengths in zip(*found, strict=True):
+            agrees(lengths, "target", 0.03)
 
     def test_camera(self):
         # 200 random draws know a standard deviation to 5 %.
