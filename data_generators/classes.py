@@ -20,17 +20,12 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook
 
 from course_lib.authoring.building import notebook_bytes
-from course_lib.authoring.expansion import check_id, grade_id, values_answer
+from course_lib.authoring.expansion import check_id, grade_id
 from course_lib.exercises import all_exercises
-from course_lib.exercises.pasting import EXERCISES, Pasted, paste
 from course_lib.judging import (
     Exercise,
     Explain,
-    Misconception,
     ValuesExercise,
-    answer,
-    judge,
-    pose,
 )
 from data_generators.mishaps import ENDS, NOISES, TROUBLES
 from data_generators.pasting_mishaps import (
@@ -40,24 +35,14 @@ from data_generators.pasting_mishaps import (
     paste_at_end,
     paste_below,
 )
+from data_generators.typed_answers import Typed, right, wrong_answers
 
 Solutions = Mapping[str, Callable[..., Any]]
-#: Seeds on which a wrong answer's points are found; they must agree on all of them.
-SEEDS = range(7, 12)
 #: When they were handed in, as nbgrader notes it.
 TIMESTAMP = "2026-10-01 12:00:00 UTC"
 #: Who pasted copies of cells.
 PASTED = "pasted-copies"
 WORDS = "A long lens only enlarges; the faces look flat because we stand farther away."
-
-
-@dataclass(frozen=True)
-class Typed:
-    """What a student typed into the cell of one exercise, and what that is worth."""
-
-    source: str
-    points: float
-    hint: str = ""
 
 
 @dataclass(frozen=True)
@@ -127,7 +112,8 @@ def simulate_class(released: NotebookNode, chapter: str, rewritten: Solutions) -
     Returns
     -------
     list of Submission
-        Right, rewritten, half done, untouched; the k-th misconception of every exercise; answers
+        Right, rewritten, half done, untouched; the k-th misconception of every exercise (without
+        those whose points depend on the numbers that are asked); answers
         that fail, or are right but noisy; files with cells deleted, pasted twice or in a bad
         state.
     """
@@ -162,48 +148,6 @@ def _receipt(submission: Submission) -> str:
     return hashlib.sha256(submission.student.encode() + submission.content).hexdigest()
 
 
-def right(exercise: Exercise, function: Callable[..., Any] | None = None) -> Typed:
-    """Type a right answer: the reference's own source, or that of another function."""
-    return Typed(_source(exercise, function or exercise.reference), exercise.points)
-
-
-def misconceived(exercise: Exercise, misconception: Misconception) -> Typed:
-    """Type the answer of someone who has a misconception."""
-    points = expected_points(exercise, misconception.variant)
-    return Typed(_source(exercise, misconception.variant), points, misconception.hint)
-
-
-def expected_points(exercise: Exercise, function: Callable[..., Any]) -> float:
-    """Return what a function earns, on any seed.
-
-    Raises
-    ------
-    ValueError
-        If it depends on the seed.
-    """
-    found = set()
-    for seed in SEEDS:
-        cases = pose(exercise, seed)
-        found.add(judge(exercise, cases, answer(exercise, function, cases), reveal=False).points)
-    if len(found) > 1:
-        raise ValueError(f"{function.__name__} earns {sorted(found)}, depending on the seed")
-    return found.pop()
-
-
-def _source(exercise: Exercise, function: Callable[..., Any]) -> str:
-    if isinstance(exercise, ValuesExercise):
-        return values_answer(exercise, function, exercise.function_name)
-    documented = paste(exercise.reference)
-    # What is not to be had in a notebook, or not while it is graded.
-    elsewhere = not function.__module__.startswith("course_lib.") or _is_an_exercise(function)
-    own = paste(function, exercise.function_name, alone=elsewhere)
-    return Pasted(documented.signature, documented.docstring, own.body).as_function()
-
-
-def _is_an_exercise(function: Callable[..., Any]) -> bool:
-    return function.__module__.startswith(EXERCISES)
-
-
 def _good(simulation: Simulation) -> Iterator[Submission]:
     exercises, rewritten = simulation.exercises, simulation.rewritten
     done = {e.name: right(e) for e in exercises}
@@ -216,12 +160,10 @@ def _good(simulation: Simulation) -> Iterator[Submission]:
 
 
 def _misconceived(simulation: Simulation) -> Iterator[Submission]:
-    exercises = simulation.exercises
-    for k in range(max(len(e.misconceptions) for e in exercises)):
-        typed = {
-            e.name: misconceived(e, e.misconceptions[k]) if k < len(e.misconceptions) else right(e)
-            for e in exercises
-        }
+    wrong = {e.name: wrong_answers(e) for e in simulation.exercises}
+    done = {e.name: right(e) for e in simulation.exercises}
+    for k in range(max(map(len, wrong.values()))):
+        typed = done | {name: answers[k] for name, answers in wrong.items() if k < len(answers)}
         yield simulation.hand_in(f"misconception-{k + 1}", typed)
 
 
@@ -244,7 +186,7 @@ def _pasted(simulation: Simulation) -> Iterator[Submission]:
     """Hand in copies of cells: what a check met on the way from top to bottom counts."""
     first, second, third, fourth = simulation.exercises[:4]
     done = {e.name: right(e) for e in simulation.exercises}
-    bad = {e.name: misconceived(e, e.misconceptions[0]) for e in (first, second)}
+    bad = {e.name: wrong_answers(e)[0] for e in (first, second)}
     notebook = _read(simulation.hand_in("", {**done, second.name: bad[second.name]}))
     cells, given = by_label(notebook), by_label(simulation.released)
     paste_below(notebook, cells["setup"], cells["setup"].source)

@@ -6,6 +6,7 @@ import ast
 import builtins
 import inspect
 import re
+import sys
 import textwrap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -78,7 +79,7 @@ def paste(function: Callable[..., Any], name: str = "", alone: bool = False) -> 
     constants = _constants(used) if alone else {}
     used = {key: used[key] for key in used if key not in (helpers | constants)}
     lines = [*_imports(used, function), *constants.values()]
-    sources = [_parsed(helper)[0].rstrip() for helper in helpers.values()]
+    sources = [_without_annotations(helper) for helper in helpers.values()]
     before = [textwrap.indent(text, INDENT) for text in ("\n".join(lines), *sources) if text]
     return Pasted(
         _signature(definition, name or function.__name__),
@@ -95,9 +96,19 @@ def _parsed(function: Callable[..., Any]) -> tuple[str, ast.FunctionDef]:
     return source, definition
 
 
+def _without_annotations(function: Callable[..., Any]) -> str:
+    """Return a function's source as a student would write it, without what only saves time."""
+    source, definition = _parsed(function)
+    lines = source.rstrip().splitlines()
+    rest = lines[_header_end(definition, lines) :]
+    return "\n".join([_signature(definition, definition.name), *rest])
+
+
 def _used(function: Callable[..., Any]) -> dict[str, Any]:
-    """Return the global names that a function's statements use, and what they stand for."""
-    nodes = [node for part in _parsed(function)[1].body for node in ast.walk(part)]
+    """Return the global names that a function uses, and what they stand for."""
+    definition = _parsed(function)[1]
+    given = [default for default in _defaults(definition) if default is not None]
+    nodes = [node for part in (*given, *definition.body) for node in ast.walk(part)]
     plain = inspect.unwrap(function)
     own = {*plain.__code__.co_varnames, *plain.__code__.co_cellvars}  # they hide global names
     names = {node.id for node in nodes if isinstance(node, ast.Name)} - own
@@ -105,16 +116,27 @@ def _used(function: Callable[..., Any]) -> dict[str, Any]:
     return {name: scope[name] for name in names if name in scope and not hasattr(builtins, name)}
 
 
+def _defaults(definition: ast.FunctionDef) -> list[ast.expr | None]:
+    return [*definition.args.defaults, *definition.args.kw_defaults]
+
+
 def _helpers(function: Callable[..., Any]) -> dict[str, Callable[..., Any]]:
-    """Return the functions of its own module or of exercises that it calls, directly or not."""
+    """Return the functions of its own module or of exercises that it calls, directly or not.
+
+    Each comes after those that it calls: one of them may be the default of an argument.
+    """
     found: dict[str, Callable[..., Any]] = {}
-    waiting = [function]
-    while waiting:
-        for name, value in sorted(_used(waiting.pop()).items()):
+    seen = {function}
+
+    def visit(one: Callable[..., Any]) -> None:
+        for name, value in sorted(_used(one).items()):
             beside = inspect.isfunction(value) and _is_beside(value, function)
-            if beside and name not in found and value is not function:
+            if beside and value not in seen:
+                seen.add(value)
+                visit(value)
                 found[name] = value
-                waiting.append(value)
+
+    visit(function)
     return found
 
 
@@ -142,7 +164,8 @@ def _imports(used: Mapping[str, Any], function: Callable[..., Any]) -> list[str]
         if isinstance(value, ModuleType):
             lines += [] if value is np else [_import_module(value.__name__, name)]
         else:
-            by_module.setdefault(_home(name, value, function), []).append(name)
+            home, there = _home(name, value, function)
+            by_module.setdefault(home, []).append(there)
     return lines + [f"from {module} import {', '.join(by_module[module])}" for module in by_module]
 
 
@@ -162,11 +185,18 @@ def call(name: str, inputs: Mapping[str, Any]) -> str:
     return f"{name}({', '.join(f'{key}={literal(value)}' for key, value in inputs.items())})"
 
 
-def _home(name: str, value: Any, function: Callable[..., Any]) -> str:
-    """Return the module to import a name from: where it is defined, or where it is used."""
-    defined = getattr(value, "__module__", None)
-    same_name = getattr(value, "__name__", None) == name
-    return defined if defined and same_name else function.__module__
+def _home(name: str, value: Any, function: Callable[..., Any]) -> tuple[str, str]:
+    """Return the module to import a name from, where it is defined or used; and as what."""
+    defined, real = getattr(value, "__module__", None), getattr(value, "__name__", None)
+    if defined and real == name:
+        return defined, name
+    if (
+        defined
+        and not defined.startswith(EXERCISES)
+        and hasattr(sys.modules.get(defined), str(real))
+    ):
+        return defined, f"{real} as {name}"
+    return function.__module__, name
 
 
 def _import_module(module: str, name: str) -> str:

@@ -1,4 +1,5 @@
 import nbformat
+import numpy as np
 import pytest
 from second_solutions import second_solutions
 from small_course import write_course
@@ -7,9 +8,9 @@ from course_lib.authoring.building import build
 from course_lib.authoring.expansion import grade_id
 from course_lib.exercises import all_exercises, find
 from course_lib.judging import Exercise, ValuesExercise
-from data_generators import classes
-from data_generators.classes import expected_points, simulate_class, write_submissions
+from data_generators.classes import TIMESTAMP, simulate_class, write_submissions
 from data_generators.mishaps import NOISES, TROUBLES
+from data_generators.typed_answers import expected_points, right
 
 EXERCISES = [e for e in all_exercises("pinhole") if isinstance(e, Exercise)]
 
@@ -54,6 +55,15 @@ def test_misconceptions_are_typed_under_the_right_name(submissions):
         assert "NotImplementedError" not in source
 
 
+def test_who_renames_parameters_renames_them_everywhere():
+    exercise = find("triangulation.refine_point")
+    other = second_solutions("triangulation")["refine_point"]
+    namespace = {"np": np}
+    exec(right(exercise, other).source, namespace)
+    assert expected_points(exercise, namespace["refine_point"]) == exercise.points
+    assert "def refine_point(guess, " in right(exercise, other).source
+
+
 def test_points_are_between_nothing_and_all(submissions):
     for k in range(1, 5):
         points = submissions[f"misconception-{k}"].points
@@ -96,4 +106,4 @@ def test_submissions_go_where_nbgrader_looks(tmp_path, submissions):
         folder = tmp_path / "submitted" / student / "01_pinhole"
         name = submission.filename or "01_pinhole.ipynb"
         assert (folder / name).read_bytes() == submission.content
-        assert (folder / "timestamp.txt").read_text() == classes.TIMESTAMP
+        assert (folder / "timestamp.txt").read_text() == TIMESTAMP

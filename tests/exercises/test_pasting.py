@@ -141,7 +141,8 @@ def test_what_is_pasted_alone_needs_nothing_of_its_module(exercise):
 @pytest.mark.parametrize("exercise", FUNCTIONS, ids=lambda e: e.name)
 def test_pasted_misconceptions_stay_what_they_are(exercise):
     for misconception in exercise.misconceptions:
-        source = paste(misconception.variant, exercise.function_name).as_function()
+        source = paste(misconception.variant, exercise.function_name, alone=True).as_function()
+        assert "course_lib.exercises" not in source
         function = run(source, exercise.function_name)
         cases = pose(exercise, 3)
         verdict = judge(exercise, cases, answer(exercise, function, cases))

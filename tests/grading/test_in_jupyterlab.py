@@ -7,7 +7,8 @@ from nbgrader.api import Gradebook
 
 from course_lib.exercises import all_exercises
 from course_lib.judging import Exercise
-from data_generators.classes import Simulation, misconceived, right, write_submissions
+from data_generators.classes import Simulation, write_submissions
+from data_generators.typed_answers import misconceived, right
 
 pytestmark = [
     pytest.mark.slow,

@@ -9,7 +9,8 @@ from small_course import write_course
 from course_lib.authoring.building import build
 from course_lib.exercises import all_exercises, find
 from course_lib.judging import Exercise
-from data_generators.classes import Simulation, Typed, misconceived, right
+from data_generators.classes import Simulation
+from data_generators.typed_answers import Typed, misconceived, right
 
 pytestmark = pytest.mark.slow
 EXERCISES = [e for e in all_exercises("pinhole") if isinstance(e, Exercise)]

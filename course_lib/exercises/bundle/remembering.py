@@ -7,18 +7,20 @@ from typing import Any
 
 import numpy as np
 
-#: What was computed, by the name of the function and its inputs.
-KNOWN: dict[bytes, Any] = {}
 #: How many results are kept before all are forgotten.
 MANY = 3000
 
 
-def once(compute: Callable[..., Any], *parts: Any) -> Any:
+def once(
+    compute: Callable[..., Any],
+    *parts: Any,
+    known: dict[bytes, Any] = {},  # noqa: B006 - the memory, by function and inputs; pasted empty
+) -> Any:
     """Return what a function gives, from memory if it was asked before; nobody may change it."""
     name = f"{compute.__module__}.{compute.__qualname__}"
     key = b"|".join([name.encode(), *(np.asarray(part).tobytes() for part in parts)])
-    if key not in KNOWN:
-        if len(KNOWN) >= MANY:
-            KNOWN.clear()
-        KNOWN[key] = compute(*parts)
-    return KNOWN[key]
+    if key not in known:
+        if len(known) >= MANY:
+            known.clear()
+        known[key] = compute(*parts)
+    return known[key]
