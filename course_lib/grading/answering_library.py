@@ -20,7 +20,7 @@ from course_lib.judging import Exercise
 #: What no submission needs, by package.
 LEFT_OUT = {
     "course_lib": ("authoring", "exercises", "grading", "starting", "cli.py", "notebook.py"),
-    "data_generators": ("classes.py", "mishaps.py", "pasting_mishaps.py"),
+    "data_generators": ("classes.py", "everyday_class.py", "mishaps.py", "pasting_mishaps.py"),
 }
 PACKAGES = {"course_lib": course_lib, "data_generators": data_generators}
 
