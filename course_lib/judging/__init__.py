@@ -9,7 +9,7 @@ The three steps are pure and separate, so that a process boundary can run betwee
 Nothing here knows Jupyter or files.
 """
 
-from course_lib.judging.answering import Answer, answer
+from course_lib.judging.answering import Answer, OwnAnswers, answer
 from course_lib.judging.comparison import (
     Close,
     Exactly,
@@ -45,6 +45,7 @@ __all__ = [
     "Known",
     "Limits",
     "Misconception",
+    "OwnAnswers",
     "Part",
     "PartVerdict",
     "Raises",

@@ -7,7 +7,7 @@ import linecache
 import sys
 import traceback
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import (
     AbstractContextManager,
     contextmanager,
@@ -128,31 +128,50 @@ def _answer_case(
     )
 
 
-def own_answers(
-    exercise: Exercise, function: Callable[..., Any], cases: Iterable[Case]
-) -> Iterator[Answer]:
-    """Run a function of the course on cases, one when it is asked for: trusted, so not watched.
+class OwnAnswers:
+    """What the functions of the course give to cases, each worked out once, when it is asked for.
+
+    They are trusted, so not watched. Who judges several answers to the same cases keeps one of
+    these: the misconceptions' answers do not depend on the student's.
 
     Parameters
     ----------
     exercise : Exercise
         What is answered.
-    function : callable
-        A misconception's.
-    cases : iterable of Case
+    cases : sequence of Case
         From `pose`.
-
-    Yields
-    ------
-    Answer
-        As from `answer`, but only status, value and error.
     """
-    for case in cases:
-        posed = replace(case, inputs=_copied(case.inputs))
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore")
-            given = _outcome(exercise, function, posed, Limits(), nullcontext())
-        yield given
+
+    def __init__(self, exercise: Exercise, cases: Sequence[Case]) -> None:
+        self.exercise = exercise
+        self.cases = tuple(cases)
+        self._given: dict[tuple[Callable[..., Any], int], Answer] = {}
+        self._expected: dict[int, Any] = {}
+
+    def of(self, function: Callable[..., Any], index: int) -> Answer:
+        """Return what a misconception gives to a case: only status, value, error and message."""
+        key = function, index
+        if key not in self._given:
+            case = self.cases[index]
+            posed = replace(case, inputs=_copied(case.inputs))
+            with warnings.catch_warnings(), np.errstate(all="ignore"):
+                warnings.simplefilter("ignore")
+                given = _outcome(self.exercise, function, posed, Limits(), nullcontext())
+            self._given[key] = given
+        return self._given[key]
+
+    def expected(self, index: int) -> Any:
+        """Return the right answer to a case."""
+        if index not in self._expected:
+            self._expected[index] = expected_answer(self.exercise, self.cases[index])
+        return self._expected[index]
+
+
+def expected_answer(exercise: Exercise, case: Case) -> Any:
+    """Return the right answer for a case: known by construction, or the reference's."""
+    if case.known:
+        return case.truth
+    return exercise.as_answer(exercise.reference, case)
 
 
 def _copied(inputs: dict[str, Any]) -> dict[str, Any]:

@@ -3,28 +3,28 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
+from itertools import takewhile
 from typing import Any
 
 import numpy as np
 
-from course_lib.judging.answering import Answer, own_answers
+from course_lib.judging.answering import Answer, OwnAnswers
 from course_lib.judging.comparison import Close, Comparison, Exactly, Mismatch, close_to
-from course_lib.judging.exercise import Case, Exercise, Misconception
+from course_lib.judging.exercise import Case, Misconception
 
 
 def find_misconceptions(
-    exercise: Exercise, cases: Sequence[Case], answers: Sequence[Answer], wrong: Sequence[int]
+    own: OwnAnswers, answers: Sequence[Answer], wrong: Sequence[int]
 ) -> list[Misconception]:
     """Find the misconception that explains all wrong answers, or else one for each wrong part.
 
     Parameters
     ----------
-    exercise : Exercise
-        Whose misconceptions are tried, on the same cases.
-    cases : sequence of Case
-        What was asked.
+    own : OwnAnswers
+        What the exercise's misconceptions give to the same cases.
     answers : sequence of Answer
         What the student's function gave.
     wrong : sequence of int
@@ -35,19 +35,22 @@ def find_misconceptions(
     list of Misconception
         Empty where no misconception gives the same answers.
     """
-    if not wrong:
-        return []
-    agreements = {
-        m.name: _agreement(exercise, m, cases, answers, wrong) for m in exercise.misconceptions
-    }
+    ways = list(_ways(own, answers, wrong))
+    parts, cases = own.exercise.parts, own.cases
+    by_part = [[i for i, case in enumerate(cases) if case.part == part] for part in parts]
+
+    def count(agrees: Callable[[int], bool]) -> int:
+        """Count answers that a way gives too; a part ends at a wrong one that it does not give."""
+        kept = (takewhile(lambda i: agrees(i) or i not in wrong, part) for part in by_part)
+        return sum(agrees(i) for part in kept for i in part)
 
     def explaining(some: Sequence[int]) -> list[Misconception]:
         """Of those that agree with some answers, return the one that agrees with most others."""
-        fitting = [m for m in exercise.misconceptions if all(agreements[m.name][i] for i in some)]
-        return [max(fitting, key=lambda m: sum(agreements[m.name]))] if fitting else []
+        fitting = [way for way in ways if some and all(map(way.agrees, some))]
+        return [max(fitting, key=lambda way: count(way.agrees)).misconception] if fitting else []
 
-    by_part = [[i for i in wrong if cases[i].part == part] for part in exercise.parts]
-    found = explaining(wrong) or [m for some in by_part if some for m in explaining(some)]
+    wrong_by_part = [[i for i in part if i in wrong] for part in by_part]
+    found = explaining(wrong) or [m for some in wrong_by_part for m in explaining(some)]
     return list({m.name: m for m in found}.values())
 
 
@@ -73,66 +76,62 @@ class SameShape:
         return None if alike else Mismatch("shape", "The shape is another one.")
 
 
-def _agreement(
-    exercise: Exercise,
-    misconception: Misconception,
-    cases: Sequence[Case],
-    answers: Sequence[Answer],
-    wrong: Sequence[int],
-) -> list[bool]:
-    """Return which answers a misconception gives too.
+@dataclass(frozen=True, eq=False)
+class _Way:
+    """A way of making a misconception: whether it gives the student's i-th answer too."""
 
-    A part is left at the first wrong answer that it does not give: it does not explain that part.
-    """
-    if misconception.explains:
-        explains = misconception.explains
-        return [
-            i in wrong and given.status == "value" and explains(case, given.value)
-            for i, (case, given) in enumerate(zip(cases, answers, strict=True))
-        ]
-    compare = misconception.compare or exercise.compare
-    by_part = [[i for i, case in enumerate(cases) if case.part == p] for p in exercise.parts]
-
-    def agreement(variant: Callable[..., Any]) -> list[bool]:
-        agrees = [False] * len(cases)
-        for part in by_part:
-            outcomes = own_answers(exercise, variant, (cases[i] for i in part))
-            for i, outcome in zip(part, outcomes, strict=True):
-                agrees[i] = _alike(compare, answers[i], outcome)
-                if i in wrong and not agrees[i]:
-                    break
-        return agrees
-
-    ways = [agreement(variant) for variant in (misconception.variant, *misconception.also)]
-    return max(ways, key=lambda way: _explained(cases, way))
+    misconception: Misconception
+    agrees: Callable[[int], bool]
 
 
-def _explained(cases: Sequence[Case], agreement: Sequence[bool]) -> tuple[int, int]:
-    """Return how many parts, and how many cases, a variant answers as the student did."""
-    parts = {case.part for case in cases}
-    differing = {c.part for c, agrees in zip(cases, agreement, strict=True) if not agrees}
-    return len(parts - differing), sum(agreement)
+def _ways(own: OwnAnswers, answers: Sequence[Answer], wrong: Sequence[int]) -> Iterator[_Way]:
+    """Yield all ways; nothing is compared before it is asked for, as one answer rules most out."""
+
+    def explained(explains: Callable[[Case, Any], bool], i: int) -> bool:
+        value = i in wrong and answers[i].status == "value"
+        return value and explains(own.cases[i], answers[i].value)
+
+    def given_too(compare: Comparison, variant: Callable[..., Any], i: int) -> bool:
+        return _alike(compare, answers[i], own.of(variant, i))
+
+    for m in own.exercise.misconceptions:
+        if m.explains:
+            yield _Way(m, cache(partial(explained, m.explains)))
+            continue
+        for variant in (m.variant, *m.also):
+            compare = m.compare or own.exercise.compare
+            yield _Way(m, cache(partial(given_too, compare, variant)))
 
 
 def _alike(compare: Comparison, given: Answer, outcome: Answer) -> bool:
     if given.status != "value" or outcome.status != "value":
         return _failure(given) == _failure(outcome)
-    if isinstance(compare, Close) and _far_apart(compare, given.value, outcome.value):
+    if not isinstance(compare, Close):
+        return _agrees(compare, given, outcome) or _alike(Close(), given, outcome)
+    if _far_apart(compare, given.value, outcome.value):
         return False
     ways = [compare, *(way for way in (Close(), Exactly()) if way != compare)]
     return any(_agrees(way, given, outcome) for way in ways)
 
 
 def _far_apart(compare: Close, given: Any, outcome: Any) -> bool:
-    """Whether arrays of numbers differ by more than any way of comparing them lets pass.
+    """Whether numbers differ by more than any way of comparing them lets pass.
 
     It says so in a fraction of the time that a comparison takes to find its words.
     """
-    arrays = isinstance(given, np.ndarray) and isinstance(outcome, np.ndarray)
-    if not arrays or given.shape != outcome.shape or not given.dtype == outcome.dtype == float:
+    if isinstance(given, tuple) and isinstance(outcome, tuple):
+        pairs = zip(given, outcome, strict=False)
+        return len(given) != len(outcome) or any(_far_apart(compare, *pair) for pair in pairs)
+    if isinstance(given, dict) and isinstance(outcome, dict):
+        other = given.keys() != outcome.keys()
+        return other or any(_far_apart(compare, given[key], outcome[key]) for key in given)
+    if not all(isinstance(value, float | np.ndarray) for value in (given, outcome)):
+        return False
+    array, truth = np.asarray(given), np.asarray(outcome)
+    if not array.dtype == truth.dtype == float:
         return False
     rtol, atol = max(compare.rtol, Close.rtol), max(compare.atol, Close.atol)
-    return not close_to(given, outcome, rtol, atol).all()
+    return array.shape != truth.shape or not close_to(array, truth, rtol, atol).all()
 
 
 def _failure(answer: Answer) -> tuple[str, str, str]:

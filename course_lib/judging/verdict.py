@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 
 from course_lib.judging.advice import advice
-from course_lib.judging.answering import Answer
+from course_lib.judging.answering import Answer, OwnAnswers
 from course_lib.judging.exercise import Case, Exercise, Raises
 from course_lib.judging.matching import find_misconceptions
 
@@ -73,7 +73,12 @@ class Verdict:
 
 
 def judge(
-    exercise: Exercise, cases: Sequence[Case], answers: Sequence[Answer], *, reveal: bool = True
+    exercise: Exercise,
+    cases: Sequence[Case],
+    answers: Sequence[Answer],
+    *,
+    reveal: bool = True,
+    own: OwnAnswers | None = None,
 ) -> Verdict:
     """Compare answers with the truth.
 
@@ -88,6 +93,8 @@ def judge(
     reveal : bool
         Whether feedback may show inputs, results and what was printed: yes for the seeds that a
         student sees, no for grading seeds.
+    own : OwnAnswers, optional
+        Of this exercise and these cases, where they are judged more than once.
 
     Returns
     -------
@@ -95,12 +102,15 @@ def judge(
         Points by part, feedback in the order attempted, raised, type and shape, values, and the
         hints of the misconceptions that the wrong answers agree with.
     """
-    pairs = zip(cases, answers, strict=True)
-    judged = [_judge_case(exercise, case, given, reveal) for case, given in pairs]
+    own = own or OwnAnswers(exercise, cases)
+    if own.exercise is not exercise or list(map(id, own.cases)) != list(map(id, cases)):
+        raise ValueError("`own` holds answers to other cases; make it of these")
+    pairs = zip(range(len(cases)), answers, strict=True)
+    judged = [_judge_case(own, i, given, reveal) for i, given in pairs]
     ready_made = sorted({name for given in answers for name in given.called})
     parts = tuple(_part_verdict(exercise, p, judged, reveal, ready_made) for p in exercise.parts)
     wrong = [i for i, f in enumerate(judged) if f.kind not in ("right", "not attempted")]
-    found = [] if ready_made else find_misconceptions(exercise, cases, answers, wrong)
+    found = [] if ready_made else find_misconceptions(own, answers, wrong)
     return Verdict(
         exercise.name,
         parts,
@@ -109,13 +119,6 @@ def judge(
         notes=_notes(answers, judged, reveal),
         printed=next((a.printed for a in answers if a.printed), "") if reveal else "",
     )
-
-
-def expected_answer(exercise: Exercise, case: Case) -> Any:
-    """Return the right answer for a case: known by construction, or the reference's."""
-    if case.known:
-        return case.truth
-    return exercise.as_answer(exercise.reference, case)
 
 
 def _part_verdict(
@@ -134,7 +137,8 @@ def _part_verdict(
     return PartVerdict(name, 0.0 if wrong else possible, possible, shown)
 
 
-def _judge_case(exercise: Exercise, case: Case, given: Answer, reveal: bool) -> Feedback:
+def _judge_case(own: OwnAnswers, index: int, given: Answer, reveal: bool) -> Feedback:
+    exercise, case = own.exercise, own.cases[index]
     if isinstance(case.truth, Raises) and given.status in ("value", "raised"):
         return _judge_refusal(case, given, case.truth, reveal)
     if given.status != "value" or (given.value is None and exercise.none_is_untouched):
@@ -142,7 +146,7 @@ def _judge_case(exercise: Exercise, case: Case, given: Answer, reveal: bool) -> 
     if demand := exercise.part(case.part).demand:  # many answers are right: none is expected
         expected, mismatch = None, demand(given.value, case.inputs)
     else:
-        expected = expected_answer(exercise, case)
+        expected = own.expected(index)
         mismatch = exercise.compare(given.value, expected)
     if mismatch is None:
         return Feedback("right", "Right.", case, given.value, expected)

@@ -1,6 +1,7 @@
 """No exercise ships unless it rewards right answers, rejects wrong ones and names the reason."""
 
 import ast
+import functools
 import inspect
 import types
 from collections.abc import Callable
@@ -14,28 +15,48 @@ from course_lib.judging import (
     Answer,
     Exercise,
     Explain,
+    OwnAnswers,
     Raises,
     ValuesExercise,
+    Verdict,
     answer,
     judge,
     pose,
 )
-from course_lib.judging.verdict import expected_answer
 
 SEEDS = range(50)
 EXERCISES = [e for e in all_exercises() if isinstance(e, Exercise)]
 WORDS = [e for e in all_exercises() if isinstance(e, Explain)]
-PAIRS = [(e, m) for e in EXERCISES for m in e.misconceptions]
+BY_NAME = {e.name: e for e in EXERCISES}
 
 each_exercise = pytest.mark.parametrize("exercise", EXERCISES, ids=lambda e: e.name)
 
 
-def verdict_for(exercise: Exercise, function: Callable, seed: int, reveal: bool = True):
-    cases = pose(exercise, seed)
+@functools.lru_cache(maxsize=16 * len(SEEDS))  # all seeds of a chapter's exercises
+def posed(name: str, seed: int) -> OwnAnswers:
+    """Return the cases of an exercise, which nothing may change, with the course's own answers."""
+    cases = pose(BY_NAME[name], seed)
+    for value in (value for case in cases for value in case.inputs.values()):
+        if isinstance(value, np.ndarray):
+            value.setflags(write=False)
+    return OwnAnswers(BY_NAME[name], cases)
+
+
+def answers_to(exercise: Exercise, function: Callable, seed: int) -> list[Answer]:
+    cases = posed(exercise.name, seed).cases
     if isinstance(exercise, ValuesExercise):  # the student's values do not know what was given
         values = function(**exercise.given) if function else {}
-        return judge(exercise, cases, answer(exercise, lambda **_: values, cases), reveal=reveal)
-    return judge(exercise, cases, answer(exercise, function, cases), reveal=reveal)
+        return answer(exercise, lambda **_: values, cases)
+    return answer(exercise, function, cases)
+
+
+def judged(exercise: Exercise, answers: list[Answer], seed: int, reveal: bool = True) -> Verdict:
+    own = posed(exercise.name, seed)
+    return judge(exercise, own.cases, answers, reveal=reveal, own=own)
+
+
+def verdict_for(exercise: Exercise, function: Callable, seed: int) -> Verdict:
+    return judged(exercise, answers_to(exercise, function, seed), seed)
 
 
 def rewritten(function: Callable) -> Callable:
@@ -58,7 +79,7 @@ def test_reference_earns_all_points(exercise):
 @each_exercise
 def test_reference_agrees_with_truth_by_construction(exercise):
     for seed in SEEDS:
-        for case in pose(exercise, seed):
+        for case in posed(exercise.name, seed).cases:
             if isinstance(case.truth, Raises):
                 (given,) = answer(exercise, exercise.reference, [case])
                 assert (given.status, given.error) == ("raised", case.truth.error)
@@ -82,8 +103,9 @@ def test_second_solution_earns_all_points(exercise):
 )
 def test_misconception_loses_points_and_gets_its_own_hint(exercise, misconception, wrong):
     for seed in SEEDS:
+        answers = answers_to(exercise, wrong, seed)
         for reveal in (True, False) if seed < 10 else (True,):  # the hint is the same
-            verdict = verdict_for(exercise, wrong, seed, reveal)
+            verdict = judged(exercise, answers, seed, reveal)
             assert verdict.points < exercise.points, seed
             assert verdict.misconceptions == (misconception.name,), seed
             assert verdict.hints == (misconception.hint,), seed
@@ -119,8 +141,8 @@ def like(value, fill):
 @pytest.mark.parametrize("kind", ["none", "zero", "zeros", "nans", "ones", "inputs"])
 def test_lazy_answers_earn_nothing(exercise, kind):
     for seed in range(10):
-        cases = pose(exercise, seed)
-        right = [expected_answer(exercise, case) for case in cases]
+        own = posed(exercise.name, seed)
+        right = [own.expected(i) for i in range(len(own.cases))]
         lazy = {
             "none": lambda _, __: None,
             "zero": lambda _, __: 0.0,
@@ -129,9 +151,9 @@ def test_lazy_answers_earn_nothing(exercise, kind):
             "ones": lambda _, value: like(value, 1),
             "inputs": lambda case, _: next(iter(case.inputs.values())),
         }[kind]
-        values = [lazy(case, value) for case, value in zip(cases, right, strict=True)]
+        values = [lazy(case, value) for case, value in zip(own.cases, right, strict=True)]
         answers = [Answer("value", value) for value in values]
-        assert judge(exercise, cases, answers).points == 0
+        assert judged(exercise, answers, seed).points == 0
 
 
 @each_exercise
@@ -153,7 +175,7 @@ def test_exercise_is_well_formed(exercise):
     assert exercise.chapter in CHAPTERS
     assert sum(map(exercise.part_points, exercise.parts)) == pytest.approx(exercise.points)
     parameters = list(inspect.signature(exercise.reference).parameters)
-    for case in pose(exercise, 0):
+    for case in posed(exercise.name, 0).cases:
         assert list(case.inputs) == parameters
     for misconception in exercise.misconceptions:
         for wrong in (misconception.variant, *misconception.also):

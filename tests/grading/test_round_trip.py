@@ -15,8 +15,8 @@ from course_lib.exercises import all_exercises, find
 from course_lib.grading.marking import CRASH
 from course_lib.grading.seeding import grading_seed, read_key
 from course_lib.judging import Exercise, ValuesExercise, pose, seed_for
+from course_lib.judging.answering import expected_answer
 from course_lib.judging.text import format_value
-from course_lib.judging.verdict import expected_answer
 from data_generators.classes import PASTED
 
 pytestmark = pytest.mark.slow

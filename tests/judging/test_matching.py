@@ -5,8 +5,19 @@ import warnings
 import numpy as np
 import pytest
 
-from course_lib.judging import Close, Exactly, Exercise, Misconception, Part, answer, judge, pose
-from course_lib.judging.matching import BothBeyond, _far_apart
+from course_lib.judging import (
+    Answer,
+    Close,
+    Exactly,
+    Exercise,
+    Misconception,
+    OwnAnswers,
+    Part,
+    answer,
+    judge,
+    pose,
+)
+from course_lib.judging.matching import BothBeyond, _agrees, _far_apart
 
 
 def scaled(values, factor):
@@ -81,6 +92,44 @@ def test_an_answer_that_is_wrong_for_some_inputs_only_gets_its_hint():
     assert verdict.hints == ("Grow or shrink?",)
 
 
+def test_a_form_that_agrees_with_more_parts_does_not_hide_the_one_that_fits():
+    def only_for_small_ones(values, factor):
+        return values / factor if factor < 1 else values * factor
+
+    two = Exercise(
+        "demo",
+        scaled,
+        parts={"plain": Part(drawn, cases=2), "large": lambda rng: {**drawn(rng), "factor": 90.0}},
+        misconceptions=[Misconception(divided, "Grow or shrink?", also=[only_for_small_ones])],
+    )
+    cases = pose(two, 3)
+    wrong = cases[1].inputs["factor"]
+
+    def nearly_mended(values, factor):
+        return values / factor if factor == wrong else values * factor
+
+    assert judge(two, cases, answer(two, nearly_mended, cases)).hints == ("Grow or shrink?",)
+
+
+def test_own_answers_are_worked_out_once_and_for_these_cases_only():
+    calls = []
+
+    def counted(values, factor):
+        calls.append(factor)
+        return values / factor
+
+    exercise = Exercise(
+        "demo", scaled, parts={"plain": drawn}, misconceptions=[Misconception(counted, "Smaller?")]
+    )
+    cases = pose(exercise, 3)
+    own, answers = OwnAnswers(exercise, cases), answer(exercise, divided, cases)
+    verdicts = [judge(exercise, cases, answers, own=own) for _ in range(3)]
+    assert calls == [case.inputs["factor"] for case in cases]
+    assert [verdict.hints for verdict in verdicts] == [("Smaller?",)] * 3
+    with pytest.raises(ValueError, match="other cases"):
+        judge(exercise, pose(exercise, 3), answers, own=own)
+
+
 def test_trying_mistakes_leaves_the_inputs_as_they_were():
     def in_place(values, factor):
         values /= factor
@@ -150,15 +199,34 @@ def test_the_same_exception_for_another_reason_is_another_mistake(function, hint
 
 @pytest.mark.parametrize("size", [1e-12, 1.0, 1e9])
 @pytest.mark.parametrize("compare", [Close(), Close(rtol=0, atol=1e-4), Close(rtol=0.1, atol=0)])
-def test_arrays_that_are_far_apart_agree_in_no_way(compare, size):
+@pytest.mark.parametrize(
+    "form", [np.asarray, lambda a: float(a[0]), lambda a: (float(a[0]), a), lambda a: {"all": a}]
+)
+def test_numbers_that_are_far_apart_agree_in_no_way(compare, size, form):
     """What is told apart quickly would be told apart slowly."""
     rng = np.random.default_rng(0)
     seen = set()
     for off in 10.0 ** rng.uniform(-13, 1, 300):
-        given = size * rng.normal(size=3)
-        outcome = given * (1 + off)
-        slowly = any(way(given, outcome) is None for way in (compare, Close(), Exactly()))
+        numbers = size * rng.normal(size=3)
+        given, outcome = form(numbers), form(numbers * (1 + off))
+        answers = Answer("value", given), Answer("value", outcome)
+        slowly = any(_agrees(way, *answers) for way in (compare, Close(), Exactly()))
         quickly = not _far_apart(compare, given, outcome)
         assert quickly or not slowly
         seen.add(quickly)
     assert seen == {True, False} or size == 1e-12
+
+
+@pytest.mark.parametrize(
+    ("given", "outcome"),
+    [
+        ((1.0, 2.0), (1.0, 2.0, 3.0)),
+        ({"a": 1.0}, {"b": 1.0}),
+        (np.ones(3), np.ones((3, 1))),
+        (1.0, np.ones(1)),
+    ],
+)
+def test_other_sizes_are_far_apart(given, outcome):
+    assert _far_apart(Close(), given, outcome)
+    assert not _far_apart(Close(), given, given)
+    assert not any(way(given, outcome) is None for way in (Close(), Exactly()))

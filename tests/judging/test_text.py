@@ -92,3 +92,21 @@ def test_small_numbers_of_a_table_keep_their_digits():
     text = format_value(np.array([[1e-6, 0.5], [1e-17, -3.21456]]))
     assert text.split() == ["[[", "1e-06", "0.5]", "[", "0", "-3.215]]"]
     assert format_value(np.array([[0.5, 0.25]])) == "[[0.5  0.25]]"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (97275.60076644178, "97275.6"),
+        (np.array(97275.60076644178), "97275.6"),
+        ((1.5, np.inf), "(1.5, inf)"),
+        (np.array(True), "True"),
+        ({"f": (18.0, 140.0)}, "{'f': (18.0, 140.0)}"),
+        (
+            np.arange(600, dtype=np.uint16).reshape(3, 10, 20),
+            "an array of shape (3, 10, 20), uint16, from 0 to 599",
+        ),
+    ],
+)
+def test_values_are_written_short(value, text):
+    assert format_value(value) == text
