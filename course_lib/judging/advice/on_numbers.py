@@ -1,4 +1,4 @@
-"""Plain words for the exceptions that beginners meet most."""
+"""Plain words for exceptions of the numbers: shapes that do not fit, matrices without an answer."""
 
 from __future__ import annotations
 
@@ -10,106 +10,16 @@ DOMAIN = (
     "A logarithm needs a number above 0, a root none below 0. Print what stands in it. Is a power "
     "`**` written as a `*`?"
 )
-ROWS = "The rows of a matrix come as one list, with brackets of its own: `np.array([[…], […]])`."
-NONE = "Something here is None. Has a search found nothing, or does a function lack its `return`?"
-HYPOT = "`np.hypot` takes the two sides one by one: `np.hypot(a, b)`, or `np.hypot(*sides)`."
-LIST = "A list cannot be computed with. Make it an array: `np.array(…)`."
-ONE = "This works for one number only; NumPy has it for arrays too."
-SEVERAL = "A function gave several values, and they have one name together. Name each: `a, b = …`."
-SHAPE = "The sizes of an array come as one, with brackets of their own: `np.zeros((3, 4, 2))`."
+INNER = (
+    "The inner sizes of the matrix product do not fit. Points are rows here, so a matrix A moves "
+    "them as `points @ A.T`; homogeneous points have one number more. Print both shapes."
+)
 ENTRY = "Several numbers do not fit into one entry. Print both shapes: is an axis missing?"
 COLUMN = "Print both shapes. A single 1 is no column: a row each needs one, `np.ones(len(points))`."
 
-#: Name of the exception, a piece of its message, and what it most often means.
-ADVICE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
-    ("TypeError", "for ^", "In Python `^` is no power: write `f**2`."),
-    ("TypeError", "bitwise_xor", "In Python `^` is no power: write `f**2`."),
-    (
-        "TypeError",
-        "object is not callable",
-        "A number stands right before a bracket, so Python takes it for a function. "
-        "Is a `*` missing?",
-    ),
-    ("TypeError", "Field elements", ROWS),
-    ("TypeError", "array() takes", ROWS),
-    (
-        "TypeError",
-        "'tuple'",
-        "A tuple cannot be computed with. Make it an array: `np.array(…)`.",
-    ),
-    ("TypeError", "'list'", LIST),
-    ("AttributeError", "'list'", LIST),
-    ("AttributeError", "'tuple'", SEVERAL),
-    (
-        "TypeError",
-        "multiply sequence",
-        "A tuple or a list cannot be computed with. Make it an array: `np.array(…)`.",
-    ),
-    (
-        "TypeError",
-        "unpack non-iterable",
-        "One number cannot be taken apart. A loop over a single point of shape (3,) gives its "
-        "numbers, one by one.",
-    ),
-    ("TypeError", "hypot() takes", HYPOT),
-    (
-        "TypeError",
-        "arctan2() takes",
-        "`np.arctan2` takes the two sides one by one, the opposite one first: `np.arctan2(a, b)`.",
-    ),
-    ("TypeError", "'NoneType'", NONE),
-    ("AttributeError", "'NoneType'", NONE),
-    ("TypeError", "only 0-dim", ONE),
-    ("TypeError", "only length-1", ONE),
-    ("TypeError", "as a data type", SHAPE),
+ON_NUMBERS: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
     ("ValueError", re.compile(r"with a sequence\.$"), ENTRY),
     ("ValueError", re.compile("along dimension 0.* at index 1 has size 1$"), COLUMN),
-    ("TypeError", "not subscriptable", "One number has no parts that `[…]` could pick."),
-    (
-        "TypeError",
-        "stack() takes",
-        "Arrays to put together come as one list, with brackets of its own: "
-        "`np.column_stack([a, b])`.",
-    ),
-    (
-        "TypeError",
-        "concatenate() ",
-        "Arrays to put together come as one list, with brackets of its own: "
-        "`np.concatenate([a, b], axis=-1)`.",
-    ),
-    (
-        "TypeError",
-        "only integer scalar arrays",
-        "An array stands where a whole number belongs. Arrays to put together need brackets of "
-        "their own: `np.concatenate([a, b], axis=-1)`.",
-    ),
-    ("TypeError", "positional argument", "Is the number of arguments the one in the exercise?"),
-    (
-        "NameError",
-        "",
-        "Python does not know this name. Is it misspelt, or never assigned, or does its module "
-        "lack in front, as `np` in `np.sqrt`?",
-    ),
-    ("UnboundLocalError", "", "This name is used before it is assigned in the function."),
-    (
-        "IndexError",
-        "too many indices",
-        "The array has fewer axes than that. With `…[..., 0]` a single point works like rows.",
-    ),
-    (
-        "AxisError",
-        "out of bounds",
-        "There is no such axis: print the shape. A mask of pixels, as in `a[a < 5]`, leaves one "
-        "long row; to keep whole pictures, use one True or False for each of them.",
-    ),
-    (
-        "IndexError",
-        "boolean index did not match",
-        "This list of True and False has not one entry for each row. Which rows has it asked: all, "
-        "or only some of them, as those of a sample?",
-    ),
-    ("IndexError", "", "There are fewer entries than the index needs; the first has index 0."),
-    ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
     (
         "ValueError",
         "size 3 is different from 2",
@@ -117,18 +27,8 @@ ADVICE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "together like a table of points? `column_stack` stands its numbers one below the other. "
         "Print both shapes: points are rows here, as in `points @ A.T`.",
     ),
-    (
-        "ValueError",
-        "core dimension",
-        "The inner sizes of the matrix product do not fit. Points are rows here, so a matrix A "
-        "moves them as `points @ A.T`; homogeneous points have one number more. Print both shapes.",
-    ),
-    (
-        "ValueError",
-        "not aligned",
-        "The inner sizes of the matrix product do not fit. Points are rows here, so a matrix A "
-        "moves them as `points @ A.T`; homogeneous points have one number more. Print both shapes.",
-    ),
+    ("ValueError", "core dimension", INNER),
+    ("ValueError", "not aligned", INNER),
     (
         "ValueError",
         "solve: Input operand 1",
@@ -272,28 +172,4 @@ ADVICE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "`np.diag` takes one matrix, and this is a list of them. Take them one by one, or multiply "
         "with `np.eye`, which reaches all of them.",
     ),
-    ("RecursionError", "", "The function calls itself without end."),
 )
-
-
-def advice(error: str, message: str) -> str:
-    """Return what an exception most often means.
-
-    Parameters
-    ----------
-    error : str
-        The exception's name.
-    message : str
-        Its text.
-
-    Returns
-    -------
-    str
-        A sentence that gives no input away, or nothing.
-    """
-    fitting = (
-        words
-        for name, piece, words in ADVICE
-        if name == error and (piece in message if isinstance(piece, str) else piece.search(message))
-    )
-    return next(fitting, "")

@@ -1,0 +1,101 @@
+"""Plain words for exceptions of the code itself: types, names, indices, calls."""
+
+from __future__ import annotations
+
+ROWS = "The rows of a matrix come as one list, with brackets of its own: `np.array([[…], […]])`."
+NONE = "Something here is None. Has a search found nothing, or does a function lack its `return`?"
+HYPOT = "`np.hypot` takes the two sides one by one: `np.hypot(a, b)`, or `np.hypot(*sides)`."
+LIST = "A list cannot be computed with. Make it an array: `np.array(…)`."
+ONE = "This works for one number only; NumPy has it for arrays too."
+SEVERAL = "A function gave several values, and they have one name together. Name each: `a, b = …`."
+SHAPE = "The sizes of an array come as one, with brackets of their own: `np.zeros((3, 4, 2))`."
+
+ON_CODE: tuple[tuple[str, str, str], ...] = (
+    ("TypeError", "for ^", "In Python `^` is no power: write `f**2`."),
+    ("TypeError", "bitwise_xor", "In Python `^` is no power: write `f**2`."),
+    (
+        "TypeError",
+        "object is not callable",
+        "A number stands right before a bracket, so Python takes it for a function. "
+        "Is a `*` missing?",
+    ),
+    ("TypeError", "Field elements", ROWS),
+    ("TypeError", "array() takes", ROWS),
+    (
+        "TypeError",
+        "'tuple'",
+        "A tuple cannot be computed with. Make it an array: `np.array(…)`.",
+    ),
+    ("TypeError", "'list'", LIST),
+    ("AttributeError", "'list'", LIST),
+    ("AttributeError", "'tuple'", SEVERAL),
+    (
+        "TypeError",
+        "multiply sequence",
+        "A tuple or a list cannot be computed with. Make it an array: `np.array(…)`.",
+    ),
+    (
+        "TypeError",
+        "unpack non-iterable",
+        "One number cannot be taken apart. A loop over a single point of shape (3,) gives its "
+        "numbers, one by one.",
+    ),
+    ("TypeError", "hypot() takes", HYPOT),
+    (
+        "TypeError",
+        "arctan2() takes",
+        "`np.arctan2` takes the two sides one by one, the opposite one first: `np.arctan2(a, b)`.",
+    ),
+    ("TypeError", "'NoneType'", NONE),
+    ("AttributeError", "'NoneType'", NONE),
+    ("TypeError", "only 0-dim", ONE),
+    ("TypeError", "only length-1", ONE),
+    ("TypeError", "as a data type", SHAPE),
+    ("TypeError", "not subscriptable", "One number has no parts that `[…]` could pick."),
+    (
+        "TypeError",
+        "stack() takes",
+        "Arrays to put together come as one list, with brackets of its own: "
+        "`np.column_stack([a, b])`.",
+    ),
+    (
+        "TypeError",
+        "concatenate() ",
+        "Arrays to put together come as one list, with brackets of its own: "
+        "`np.concatenate([a, b], axis=-1)`.",
+    ),
+    (
+        "TypeError",
+        "only integer scalar arrays",
+        "An array stands where a whole number belongs. Arrays to put together need brackets of "
+        "their own: `np.concatenate([a, b], axis=-1)`.",
+    ),
+    ("TypeError", "positional argument", "Is the number of arguments the one in the exercise?"),
+    (
+        "NameError",
+        "",
+        "Python does not know this name. Is it misspelt, or never assigned, or does its module "
+        "lack in front, as `np` in `np.sqrt`?",
+    ),
+    ("UnboundLocalError", "", "This name is used before it is assigned in the function."),
+    (
+        "IndexError",
+        "too many indices",
+        "The array has fewer axes than that. With `…[..., 0]` a single point works like rows.",
+    ),
+    (
+        "AxisError",
+        "out of bounds",
+        "There is no such axis: print the shape. A mask of pixels, as in `a[a < 5]`, leaves one "
+        "long row; to keep whole pictures, use one True or False for each of them.",
+    ),
+    (
+        "IndexError",
+        "boolean index did not match",
+        "This list of True and False has not one entry for each row. Which rows has it asked: all, "
+        "or only some of them, as those of a sample?",
+    ),
+    ("IndexError", "", "There are fewer entries than the index needs; the first has index 0."),
+    ("ZeroDivisionError", "", "The divisor is zero here. What should the answer be then?"),
+    ("RecursionError", "", "The function calls itself without end."),
+)
