@@ -33,8 +33,10 @@ from benchmarks.postgres import Server, postgres_server
 ASSIGNMENT = grading.ASSIGNMENT
 #: Whom a kill hits: the grader, everything that it started, too, or one worker.
 VICTIMS = ("grader", "everything", "worker")
-#: Submissions that are graded between two kills, at most; seconds until a run counts as stuck.
-BETWEEN, STUCK = 5.0, 900.0
+#: Between two kills at most this part of the submissions is graded, or so many.
+PART, FEW = 1 / 12, 2.0
+#: Seconds until a run counts as stuck.
+PATIENCE = 900.0
 
 
 @dataclass
@@ -81,9 +83,9 @@ class Scene:
             config.write_text(config.read_text().replace(f"/{old}'", f"/{new}'"))
         return term
 
-    def start(self, term: Path) -> subprocess.Popen[bytes]:
-        """Start a run of the grader."""
-        own = ["--scheduler", self.scheduler] if self.scheduler else []
+    def start(self, term: Path, *options: str) -> subprocess.Popen[bytes]:
+        """Start a run of the grader, which writes into ``grade.log`` there."""
+        own = [*options, *(["--scheduler", self.scheduler] if self.scheduler else [])]
         program = str(Path(sys.executable).with_name("course"))
         log = (term / "grade.log").open("ab")
         with log:
@@ -122,7 +124,7 @@ def torment(scene: Scene, kills: int, seed: int = 0) -> Report:
     term = scene.copy("undisturbed")
     start = time.monotonic()
     finish(scene, term)
-    pace = (time.monotonic() - start) / len(list((term / "submitted").iterdir()))
+    pace = (time.monotonic() - start) / handed_in(term)
     expected = snapshot(term, scene)
     while report.kills.total() < kills:
         report.rounds += 1
@@ -133,7 +135,8 @@ def torment(scene: Scene, kills: int, seed: int = 0) -> Report:
         found = snapshot(term, scene)
         different = sorted(k for k in expected | found if expected.get(k) != found.get(k))
         report.differences += [f"round {report.rounds}: {name}" for name in different]
-        print(f"round {report.rounds}: {dict(report.kills)}, {len(different)} differences")
+        said = f"{dict(report.kills)}, {len(different)} differences"
+        print(f"round {report.rounds}: {said}", flush=True)
     return report
 
 
@@ -144,13 +147,14 @@ def _disturb(
     process = scene.start(term)
     try:
         while process.poll() is None:
-            amount = rng.uniform(0, BETWEEN)  # of submissions
+            amount = rng.uniform(0, max(FEW, PART * handed_in(term)))
             _wait_for(process, term, len(records(term)) + int(amount))
             time.sleep((amount % 1) * 2 * pace)
             if process.poll() is not None:
                 return
             victim = rng.choice(VICTIMS)
-            report.kills[victim] += _kill(process.pid, victim, scene, rng)
+            if _kill(process.pid, victim, scene, rng):
+                report.kills[victim] += 1
             if victim != "worker" or report.kills.total() >= kills:
                 return
     finally:
@@ -161,7 +165,7 @@ def _disturb(
 
 def _wait_for(process: subprocess.Popen[bytes], term: Path, number: int) -> None:
     """Wait until so many are graded, or the run ends."""
-    limit = time.monotonic() + STUCK
+    limit = time.monotonic() + PATIENCE
     while len(records(term)) < number and process.poll() is None:
         if time.monotonic() > limit:
             raise TimeoutError(f"stuck: {(term / 'grade.log').read_text()[-500:]}")
@@ -202,7 +206,7 @@ def finish(scene: Scene, term: Path) -> None:
     """Let a run come to its end. Where a kill left something set aside, a second run mends it."""
     for _ in range(2):
         process = scene.start(term)
-        if process.wait(STUCK) == 0:
+        if process.wait(PATIENCE) == 0:
             return
     raise RuntimeError((term / "grade.log").read_text()[-3000:])
 
@@ -211,8 +215,12 @@ def records(term: Path) -> list[Path]:
     return sorted((term / "grading" / ASSIGNMENT).glob("*.json"))
 
 
+def handed_in(term: Path) -> int:
+    return len(list((term / "submitted").iterdir()))
+
+
 def _is_done(term: Path) -> bool:
-    return len(records(term)) == len(list((term / "submitted").iterdir()))
+    return len(records(term)) == handed_in(term)
 
 
 def database_of(term: Path) -> str:

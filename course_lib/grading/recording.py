@@ -20,6 +20,7 @@ from typing import Any
 
 from nbgrader.api import Gradebook
 from nbgrader.preprocessors import AssignLatePenalties
+from nbgrader.utils import parse_utc
 from sqlalchemy.exc import SAWarning
 
 from course_lib.grading.assignment import Assignment, fingerprint
@@ -172,10 +173,16 @@ def _transaction(gradebook: Any) -> Iterator[None]:
 
 
 def _timestamp(folder: Path) -> str:
+    """Return when it was handed in, as nbgrader noted it; nothing if that is no time."""
     path = folder / "timestamp.txt"
     if path.is_symlink() or not path.is_file():
         return ""
-    return path.read_text(encoding="utf-8", errors="replace").strip()[:100]
+    text = path.read_text(encoding="utf-8", errors="replace").strip()[:100]
+    try:
+        parse_utc(text)
+    except (ValueError, OverflowError, TypeError):
+        return ""
+    return text
 
 
 def _write(path: Path, text: str) -> None:

@@ -27,7 +27,7 @@ from course_lib.sandbox.limits import Allowance
 #: How often a submission is tried whose grading ended a worker.
 TRIES = 2
 _CONTEXT = get_context("fork")
-SET_ASIDE = "Grading this notebook ended the grader itself, twice. A person must look at it."
+SET_ASIDE = "Grading this notebook ended the grader again and again. A person must look at it."
 
 
 @dataclass(frozen=True)

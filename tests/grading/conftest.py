@@ -16,16 +16,19 @@ BY_NBGRADER = (
     "right", "misconception-1", "killed", PASTED, "deleted-cells", "cut-off", "empty-file",
     "renamed",
 )  # fmt: skip
+#: What other tests may have done with the term that everybody copies.
+HANDED_IN = shutil.ignore_patterns("submitted", "autograded", "feedback", "grading")
 
 
 @pytest.fixture(scope="session")
 def make_term(tmp_path_factory):
     """Make a term of a small course with its notebook released into the gradebook."""
 
-    def make(name: str) -> Path:
+    def make(name: str, *options: str) -> Path:
         base = tmp_path_factory.mktemp(name)
         course = write_course(base / "course")
-        made = run("course", "term", base / "term", "--course-id", "camera", cwd=course)
+        term = ("term", base / "term", "--course-id", "camera", *options)
+        made = run("course", *term, cwd=course)
         assert made.returncode == 0, made.stderr
         config = base / "term/nbgrader_config.py"
         config.write_text(config.read_text() + "c.AnswerOutside.cell_seconds = 5\n")
@@ -43,15 +46,36 @@ def released_term(make_term):
 
 
 @pytest.fixture(scope="session")
-def graded(make_term):
+def submissions(released_term):
+    """A class, by name."""
+    released = nbformat.read(released_term / "release/01_pinhole/01_pinhole.ipynb", as_version=4)
+    everybody = simulate_class(released, "pinhole", second_solutions("pinhole"))
+    return {submission.student: submission for submission in everybody}
+
+
+@pytest.fixture(scope="session")
+def new_term(released_term, tmp_path_factory, submissions):
+    """Make a copy of the term in which some of the class have handed in."""
+
+    def make(name, students):
+        term = tmp_path_factory.mktemp(name) / "term"
+        shutil.copytree(released_term, term, ignore=HANDED_IN)
+        config = (term / "nbgrader_config.py").read_text()
+        (term / "nbgrader_config.py").write_text(config.replace(str(released_term), str(term)))
+        write_submissions(term, "01_pinhole", [submissions[student] for student in students])
+        return term
+
+    return make
+
+
+@pytest.fixture(scope="session")
+def graded(make_term, submissions):
     """A term in which a class was graded in both ways, up to feedback and the table of grades."""
-    term = make_term("graded")
-    released = nbformat.read(term / "release/01_pinhole/01_pinhole.ipynb", as_version=4)
-    submissions = simulate_class(released, "pinhole", second_solutions("pinhole"))
-    early = [s for s in submissions if s.student in BY_NBGRADER]
+    term, everybody = make_term("graded"), submissions.values()
+    early = [s for s in everybody if s.student in BY_NBGRADER]
     write_submissions(term, "01_pinhole", early)
     autograde = run("nbgrader", "autograde", "01_pinhole", cwd=term)
-    write_submissions(term, "01_pinhole", [s for s in submissions if s not in early])
+    write_submissions(term, "01_pinhole", [s for s in everybody if s not in early])
     for name in ("timestamp.txt", "submission_secret.txt"):  # as if it had come by mail
         (term / "submitted" / BY_MAIL / "01_pinhole" / name).unlink()
     course = run("course", "grade", "01_pinhole", cwd=term)
@@ -60,7 +84,7 @@ def graded(make_term):
     export = run("nbgrader", "export", "--to", "grades.csv", cwd=term)
     yield SimpleNamespace(
         term=term,
-        submissions={submission.student: submission for submission in submissions},
+        submissions=submissions,
         autograde=autograde,
         course=course,
         feedback=feedback,

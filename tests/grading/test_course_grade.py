@@ -4,7 +4,6 @@ import fcntl
 import json
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -18,7 +17,6 @@ from walls import walled
 
 from course_lib.authoring.expansion import check_id
 from course_lib.cli import main
-from data_generators.classes import write_submissions
 
 pytestmark = [pytest.mark.slow, walled]
 ASSIGNMENT = "01_pinhole"
@@ -32,27 +30,6 @@ UNREADABLE = {
     "empty-file": "The file is empty",
     "renamed": "There is no 01_pinhole.ipynb, but my homework (final).ipynb",
 }
-
-
-@pytest.fixture(scope="module")
-def submissions(graded):
-    return graded.submissions
-
-
-@pytest.fixture(scope="module")
-def new_term(released_term, tmp_path_factory, submissions):
-    """Make a copy of the term in which some of the class have handed in."""
-
-    def make(name, students):
-        term = tmp_path_factory.mktemp(name) / "term"
-        shutil.copytree(released_term, term)
-        shutil.rmtree(term / "submitted", ignore_errors=True)
-        config = (term / "nbgrader_config.py").read_text()
-        (term / "nbgrader_config.py").write_text(config.replace(str(released_term), str(term)))
-        write_submissions(term, ASSIGNMENT, [submissions[student] for student in students])
-        return term
-
-    return make
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,111 @@
+"""`course grade --scheduler`: the same on a Dask cluster, whatever happens to its workers."""
+
+import os
+import signal
+import time
+
+import dask
+import pytest
+from distributed import LocalCluster
+from small_course import run
+from walls import walled
+
+from benchmarks.kills import ASSIGNMENT, PATIENCE, Scene, records, snapshot
+from course_lib.cli import main
+from course_lib.grading import cluster
+from course_lib.grading.cluster import DIFFERENT, library_mark, why_refuse
+from course_lib.grading.workers import SET_ASIDE, Manner
+from course_lib.sandbox.limits import Allowance
+
+pytestmark = [pytest.mark.slow, walled]
+CLASS = ("right", "rewritten", "half-done", "misconception-2", "copied-out", "cut-off")
+
+
+@pytest.fixture(scope="module")
+def plain(new_term):
+    """What grading on this machine gives."""
+    term = new_term("here", CLASS)
+    assert run("course", "grade", ASSIGNMENT, cwd=term).returncode == 1  # one is cut off
+    return snapshot(term, Scene(term, term.parent))
+
+
+def local_cluster(workers, **options):
+    return LocalCluster(
+        n_workers=workers, threads_per_worker=1, dashboard_address=":0", silence_logs=50, **options
+    )
+
+
+def kill_a_worker(there, number=0):
+    os.kill(list(there.workers.values())[number].pid, signal.SIGKILL)
+
+
+def start(term, there, *options):
+    return Scene(term, term.parent, scheduler=there.scheduler_address).start(term, *options)
+
+
+def wait_until(process, happened):
+    """Wait for something while a run goes on."""
+    limit = time.monotonic() + PATIENCE
+    while not happened() and process.poll() is None:
+        assert time.monotonic() < limit
+        time.sleep(0.02)
+
+
+def said(term):
+    return (term / "grade.log").read_text()
+
+
+def test_the_same_as_here_though_workers_are_killed(new_term, plain):
+    term = new_term("there", CLASS)
+    with local_cluster(2) as there:
+        process = start(term, there)
+        for number in (0, 1):
+            wait_until(process, lambda done=number + 1: len(records(term)) >= done)
+            assert process.poll() is None
+            kill_a_worker(there, number)
+        assert process.wait(PATIENCE) == 1, said(term)
+    assert "5 graded" in said(term)
+    assert snapshot(term, Scene(term, term.parent)) == plain
+
+
+def test_what_is_lost_with_the_cluster_is_graded_by_the_next_run(new_term, plain):
+    term = new_term("lost", CLASS)
+    with (
+        dask.config.set({"distributed.scheduler.allowed-failures": 0}),
+        local_cluster(1) as there,
+    ):
+        process = start(term, there)
+        wait_until(process, lambda: len(records(term)) >= 2)
+        kill_a_worker(there)  # what it was at is set aside at once by this scheduler
+        wait_until(process, lambda: any(SET_ASIDE in r.read_text() for r in records(term)))
+        assert process.poll() is None, said(term)
+    assert process.wait(PATIENCE) == 2
+    assert "is lost" in said(term)
+    assert "run the same command again" in said(term)
+    assert "Traceback" not in said(term)
+    assert run("course", "grade", ASSIGNMENT, cwd=term).returncode == 1
+    assert snapshot(term, Scene(term, term.parent)) == plain
+
+
+def test_a_worker_without_walls_refuses(new_term, tmp_path):
+    term = new_term("no-walls", CLASS[:1])
+    with local_cluster(1, env={"PATH": str(tmp_path)}) as there:
+        process = start(term, there)
+        assert process.wait(PATIENCE) == 2
+    assert "1 of 1 workers cannot grade" in said(term)
+    assert "bubblewrap is not installed" in said(term)
+    assert not records(term)
+
+
+def test_a_worker_with_another_version_of_the_course_refuses():
+    trusting = Manner("none", Allowance())
+    assert why_refuse(trusting, library_mark()) == ""
+    assert why_refuse(trusting, "another") == DIFFERENT
+
+
+def test_without_a_scheduler_it_says_so(new_term, monkeypatch, capsys):
+    monkeypatch.setattr(cluster, "CONNECT", 0.5)
+    term = new_term("nobody-there", CLASS[:1])
+    options = ["--term", str(term), "--scheduler", "tcp://127.0.0.1:1"]
+    assert main(["grade", ASSIGNMENT, *options]) == 2
+    assert "no Dask scheduler answers at tcp://127.0.0.1:1" in capsys.readouterr().err
