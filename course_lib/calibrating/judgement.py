@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course_lib.boards import DotGrid
-from course_lib.calibrating.photographs import on_distance, on_files, on_views
+from course_lib.calibrating.photographs import on_distance, on_files, on_focal_length, on_views
 from course_lib.calibrating.precision import angle_sigma, length_sigma
 from course_lib.calibrating.solving import Solved
 from course_lib.calibrating.statement import Statement
@@ -86,6 +86,7 @@ def judge(solved: Solved) -> Judgement:
         *_on_tilts(solved),
         *_on_numbers(solved),
         *_on_precision(solved),
+        *on_focal_length(solved),
         *on_files(solved),
     )
     order = {"bad": 0, "note": 1, "good": 2}

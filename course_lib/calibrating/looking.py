@@ -16,7 +16,9 @@ from course_lib.calibrating.pictures import (
     SetAside,
     read_grey,
     read_header,
+    usual_lens,
     usual_size,
+    why_other_lens,
     why_other_size,
 )
 from course_lib.detection import Detection, detect_board
@@ -44,7 +46,8 @@ class Photo:
     used : bool
         Whether it takes part in the calibration.
     problem : str
-        In a word, as `Detection.problem`; also ``"file"``, ``"size"`` and ``"duplicate"``.
+        In a word, as `Detection.problem`; also ``"file"``, ``"size"``, ``"zoom"`` and
+        ``"duplicate"``.
     header : Header, optional
         What the file says.
     detection : Detection, optional
@@ -90,8 +93,7 @@ def look_at_photos(paths: Sequence[Path], board: Board, tell: Tell) -> list[Phot
         If the first photographs agree on a board of other counts.
     """
     opened = [_opened(path) for path in paths]
-    headers = [photo.header for photo in opened if photo.header is not None]
-    usual = usual_size(headers) if headers else (0, 0)
+    usual = _usual(opened)
     photos: list[Photo] = []
     for number, photo in enumerate(opened, 1):
         photo = _looked_at(photo, usual, photos, board)
@@ -101,6 +103,39 @@ def look_at_photos(paths: Sequence[Path], board: Board, tell: Tell) -> list[Phot
         if len(paths) > number and not any(photo.used for photo in photos):
             check_board(photos, board)
     return photos
+
+
+def look_at_photo(path: Path, board: Board, before: Sequence[Photo] = ()) -> Photo:
+    """Return one photograph with the board in it or the reason why there is none.
+
+    For photographs that come one by one, each of which wants its verdict at once.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    board : Checkerboard, DotGrid, Charuco or SquareGrid
+        What to look for.
+    before : sequence of Photo
+        Those that came before: copies, and pictures of another size or zoom than most, are named.
+        When all are there, `look_at_photos` knows better which size is the usual one.
+
+    Returns
+    -------
+    Photo
+        The photograph; nothing is raised for what is in a file.
+    """
+    photo = _opened(path)
+    return _looked_at(photo, _usual([*before, photo]), before, board)
+
+
+def _usual(photos: Sequence[Photo]) -> Header | None:
+    """Return the header of a photograph like most: by its size, then by its lens."""
+    headers = [photo.header for photo in photos if photo.header is not None]
+    if not headers:
+        return None
+    size = usual_size(headers)
+    return usual_lens([header for header in headers if header.size == size])
 
 
 def check_board(photos: Sequence[Photo], board: Board) -> None:
@@ -153,12 +188,10 @@ def _opened(path: Path) -> Photo:
         return Photo(path, _sentence(reason), problem="file")
 
 
-def _looked_at(
-    photo: Photo, usual: tuple[int, int], before: Sequence[Photo], board: Board
-) -> Photo:
+def _looked_at(photo: Photo, usual: Header | None, before: Sequence[Photo], board: Board) -> Photo:
     """Return a photograph with the board looked for, unless something stands against it."""
     header = photo.header
-    if header is None:
+    if header is None or usual is None:
         return photo
     twin = next((b for b in before if b.header and b.header.digest == header.digest), None)
     if twin is not None:
@@ -170,12 +203,14 @@ def _looked_at(
         return replace(photo, problem="file", verdict=_sentence(reason))
     small = shrunk(grey, max(1.0, max(grey.shape) / THUMBNAIL))[0]
     photo = replace(photo, thumbnail=np.clip(np.rint(small), 0, 255).astype(np.uint8))
-    if header.size != usual:
-        why = _sentence(why_other_size(header.size, usual))
+    if header.size != usual.size:
+        why = _sentence(why_other_size(header.size, usual.size))
         return replace(photo, problem="size", verdict=why)
+    if why := why_other_lens(header, usual):
+        return replace(photo, problem="zoom", verdict=_sentence(why))
     found = detect_board(grey, board)
     photo = replace(photo, detection=found, problem=found.problem)
-    same = next((b for b in before if _same_view(b, found, usual[0])), None)
+    same = next((b for b in before if _same_view(b, found, usual.size[0])), None)
     if same is not None:
         told = f"The same as {same.name}: the board is where it is there, which tells nothing new."
         return replace(photo, problem="duplicate", verdict=told)

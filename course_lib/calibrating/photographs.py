@@ -13,10 +13,13 @@ from course_lib.calibrating.statement import Statement
 
 #: From here on, pictures are enough.
 ENOUGH, FEW = 10, 6
+#: Equivalent focal lengths are rounded, and phones keep a rim of the sensor to themselves.
+PROMISED = 0.1
 #: Why photographs are set aside, as an adjective.
 KINDS = {
     "file": "unreadable",
     "size": "of another size",
+    "zoom": "with another lens or zoom",
     "duplicate": "double",
     "no board": "without board",
     "wrong size": "with another board",
@@ -71,7 +74,7 @@ def in_words(millimetres: float) -> str:
 
 
 def on_files(solved: Solved) -> Iterator[Statement]:
-    """Speak about photographs that were set aside before, and zoom."""
+    """Speak about photographs that were set aside before."""
     turned = [photo for photo in solved.photos if photo.problem == "turned"]
     for verdict in sorted({photo.verdict for photo in turned}):
         names = ", ".join(photo.name for photo in turned if photo.verdict == verdict)
@@ -84,10 +87,23 @@ def on_files(solved: Solved) -> Iterator[Statement]:
         kinds = Counter(p.problem for p in aside)
         told = ", ".join(f"{count} {KINDS.get(kind, kind)}" for kind, count in kinds.most_common())
         yield Statement("note", f"{len(aside)} photographs were set aside: {told}; see each.")
-    focal = sorted({round(p.header.focal, 1) for p in solved.views if p.header and p.header.focal})
-    if len(focal) > 1:
+
+
+def on_focal_length(solved: Solved) -> Iterator[Statement]:
+    """Compare the focal length with what the camera wrote into its files."""
+    told = [p.header.focal_px for p in solved.views if p.header and p.header.focal_px]
+    if not told:
+        return
+    promised, found = float(np.median(told)), float(np.mean(np.diag(solved.calibration.K)[:2]))
+    said = (
+        f"By its 35 mm equivalent in the files, the focal length is about {promised:.0f} px; "
+        f"calibrated, it is {found:.0f} px"
+    )
+    if abs(found / promised - 1) <= PROMISED:
+        yield Statement("good", f"{said}.")
+    else:
         yield Statement(
-            "bad",
-            f"The photographs were taken at {focal[0]:g} to {focal[-1]:g} mm: zooming changes the "
-            "camera. Calibrate each focal length by itself.",
+            "note",
+            f"{said}: that is much apart. Were the pictures cropped, or zoomed by the program? Is "
+            "the board tilted in many of them?",
         )

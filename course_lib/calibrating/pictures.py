@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import glob
 import hashlib
+import math
 import re
 import warnings
 from collections import Counter
@@ -22,8 +23,19 @@ ENDINGS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp", ".webp", ".pgm", ".
 UNREADABLE = (".heic", ".heif", ".avif", ".dng", ".nef", ".cr2", ".cr3", ".arw", ".raf", ".orf")
 #: More pixels than any camera has: such a picture is no photograph.
 MOST_PIXELS = 400_000_000
-#: Tag of Exif's part on the exposure, and of the focal length in it.
-EXIF_PART, FOCAL_LENGTH = 0x8769, 0x920A
+#: Tag of Exif's part on the exposure; in it, those of the focal length and its 35 mm equivalent.
+EXIF_PART, FOCAL_LENGTH, FOCAL_35 = 0x8769, 0x920A, 0xA405
+#: Focal lengths that differ by more are of another lens or zoom.
+SAME_FOCAL = 0.01
+#: How files begin, after four bytes, that iPhones write unless told otherwise.
+HEIC = (b"ftypheic", b"ftypheix", b"ftypmif1", b"ftypmsf1", b"ftyphevc")
+HEIC_ENDINGS = (".heic", ".heif")
+JPEG = "export as JPEG, in full size and not turned"
+AS_JPEG = (
+    f"{JPEG} (iPhone: Settings › Camera › Formats › Most "
+    "Compatible takes the next ones as JPEG; for these, open them on a computer, or mail them "
+    "in full size)"
+)
 
 Picture = NDArray[Any]
 
@@ -46,12 +58,20 @@ class Header:
         Focal length in mm, 0 if the file does not say.
     digest : str
         Fingerprint of the file.
+    focal_35 : float
+        Focal length that shows the same on 36 mm × 24 mm, mm; 0 if the file does not say.
     """
 
     path: Path
     size: tuple[int, int]
     focal: float
     digest: str
+    focal_35: float = 0.0
+
+    @property
+    def focal_px(self) -> float:
+        """The focal length in px that the equivalent promises, by the diagonals; 0 without."""
+        return self.focal_35 * math.hypot(*self.size) / math.hypot(36, 24)
 
 
 def find_photos(arguments: Sequence[str]) -> list[Path]:
@@ -107,7 +127,8 @@ def left_out(arguments: Sequence[str]) -> list[str]:
             said.append(f"Folders inside {folder}/ are not looked into: {_few(inner)}.")
         if unknown:
             told = _few([p.name for p in unknown])
-            said.append(f"Cannot be read: {told}. Export them as JPEG, in full size, not turned.")
+            how = AS_JPEG if any(p.suffix.lower() in HEIC_ENDINGS for p in unknown) else JPEG
+            said.append(f"Cannot be read: {told}. {how[0].upper()}{how[1:]}.")
         if rest:
             said.append(f"No photographs by their names: {_few(rest)}.")
     return said
@@ -134,17 +155,27 @@ def read_header(path: Path) -> Header:
         If it is no picture that can be opened.
     """
     with _opened(path) as picture:
-        focal = picture.getexif().get_ifd(EXIF_PART).get(FOCAL_LENGTH, 0)
-        size = picture.size
+        size, (focal, focal_35) = picture.size, _focal_lengths(picture)
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
-    return Header(path, size, float(focal), digest)
+    return Header(path, size, focal, digest, focal_35)
+
+
+def _focal_lengths(picture: Any) -> tuple[float, float]:
+    """Return the focal length and its 35 mm equivalent, mm; 0 where Exif is silent or broken."""
+    try:
+        told = picture.getexif().get_ifd(EXIF_PART)
+        values = [float(told.get(tag, 0)) for tag in (FOCAL_LENGTH, FOCAL_35)]
+    except Exception:  # a broken Exif part breaks readers in many ways; the picture may be fine
+        return 0.0, 0.0
+    focal, focal_35 = (v if math.isfinite(v) and v > 0 else 0.0 for v in values)
+    return focal, focal_35
 
 
 def read_grey(path: Path) -> Picture:
     """Return a picture in grey, as the sensor has it.
 
-    A camera writes down how it was held, and programs turn the picture upright; for a calibration,
-    all pictures must stay as they were on the sensor.
+    A camera writes down how it was held (Exif's orientation), and programs turn the picture
+    upright; for a calibration, all pictures must stay as they were on the sensor.
 
     Raises
     ------
@@ -178,6 +209,10 @@ def _opened(path: Path) -> Iterator[Any]:
     except SetAside:
         raise
     except UnidentifiedImageError:
+        if path.read_bytes()[4:12] in HEIC:
+            raise SetAside(
+                f"this is a HEIC picture, which cannot be read here: {AS_JPEG}"
+            ) from None
         raise SetAside("this is no picture that can be read: save it as JPEG or PNG") from None
     except MemoryError:
         raise SetAside("there is not enough memory for it: make it smaller") from None
@@ -216,3 +251,26 @@ def why_other_size(size: tuple[int, int], usual: tuple[int, int]) -> str:
     if abs(size[0] / size[1] - usual[0] / usual[1]) < 0.01:
         return f"{told}: it was made smaller or larger. Use the original"
     return f"{told}: it is of another camera, or cropped. Use the original"
+
+
+def usual_lens(headers: Sequence[Header]) -> Header:
+    """Return the header of a picture with the focal length that most pictures have."""
+    told = Counter((h.focal, h.focal_35) for h in headers if h.focal or h.focal_35)
+    if not told:
+        return headers[0]
+    usual = told.most_common(1)[0][0]
+    return next(h for h in headers if (h.focal, h.focal_35) == usual)
+
+
+def why_other_lens(header: Header, usual: Header) -> str:
+    """Return a sentence on a picture taken with another lens or zoom than most, or nothing."""
+    for what, mine, theirs in (
+        ("at a focal length of", header.focal, usual.focal),
+        ("zoomed, to the view of", header.focal_35, usual.focal_35),
+    ):
+        if mine and theirs and abs(mine / theirs - 1) > SAME_FOCAL:
+            return (
+                f"it was taken {what} {mine:.3g} mm, most pictures {theirs:.3g} mm: another lens "
+                "or zoom is another camera. Take all with one, and calibrate each by itself"
+            )
+    return ""

@@ -97,13 +97,15 @@ class TestStatements:
         assert "view6.png was left out" in solved.photos[5].verdict
         assert len(solved.views) == 7
 
-    def test_zoom(self, run):
-        views = tuple(
-            replace(p, header=replace(p.header, focal=24.0 + i % 2))
-            for i, p in enumerate(run.solved.views)
-        )
+    @pytest.mark.parametrize(("factor", "level"), [(1.04, "good"), (1.3, "note")])
+    def test_focal_length_of_the_files(self, run, factor, level):
+        f = float(np.mean(np.diag(run.solved.calibration.K)[:2]))
+        told = factor * f * np.hypot(36, 24) / np.hypot(480, 360)
+        views = tuple(replace(p, header=replace(p.header, focal_35=told)) for p in run.solved.views)
         judgement = judge(replace(run.solved, views=views))
-        assert levels(judgement, "24 to 25 mm: zooming") == ["bad"]
+        assert levels(judgement, f"is about {factor * f:.0f} px; calibrated, it is {f:.0f}") == [
+            level
+        ]
 
     def test_boards_that_face_the_camera(self, run):
         poses = tuple((np.eye(3), t) for _, t in run.solved.calibration.poses)

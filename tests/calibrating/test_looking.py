@@ -1,10 +1,10 @@
 import cv2
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, TiffImagePlugin
 
 from course_lib.boards import Checkerboard
-from course_lib.calibrating.looking import look_at_photos
+from course_lib.calibrating.looking import look_at_photo, look_at_photos
 from course_lib.calibrating.pictures import (
     SetAside,
     find_photos,
@@ -59,6 +59,36 @@ class TestSetAside:
         assert [p.used for p in photos] == [False]
 
 
+def photograph(path, view, focal, focal_35):
+    exif = Image.Exif()
+    part = exif.get_ifd(0x8769)
+    part[0x920A], part[0xA405] = focal, focal_35
+    Image.fromarray(view.picture).save(path, exif=exif, quality=95)
+    return path
+
+
+class TestLenses:
+    def test_another_lens_and_digital_zoom_are_set_aside(self, truth, tmp_path):
+        lenses = [(4.2, 26), (4.2, 26), (2.2, 13), (4.2, 52)]
+        paths = [
+            photograph(tmp_path / f"{number}.jpg", view, *lens)
+            for number, (view, lens) in enumerate(zip(truth.views[:4], lenses, strict=True))
+        ]
+        photos = look_at_photos(paths, BOARD, lambda line: None)
+        assert [p.problem for p in photos] == ["", "", "zoom", "zoom"]
+        assert "at a focal length of 2.2 mm, most pictures 4.2 mm" in photos[2].verdict
+        assert "zoomed, to the view of 52 mm, most pictures 26 mm" in photos[3].verdict
+
+
+def test_one_by_one_as_all_together(folder, run):
+    """Pictures that are uploaded get the verdicts that the whole folder gets."""
+    names = [n for n in run.photos if n in ("view1.png", "view3.png") or n.startswith("x_")]
+    photos = []
+    for name in names:
+        photos.append(look_at_photo(folder / name, BOARD, photos))
+    assert [p.verdict for p in photos] == [run.photos[name].verdict for name in names]
+
+
 class TestFinding:
     def test_folder_in_counting_order(self, tmp_path):
         for name in ("v10.jpg", "v2.JPG", "notes.txt", "v1.png"):
@@ -78,7 +108,8 @@ class TestFinding:
         assert [p.name for p in find_photos([str(tmp_path)])] == ["a.jpg"]
         said = " ".join(left_out([str(tmp_path)]))
         assert "not looked into: b.jpg/" in said
-        assert "Cannot be read: IMG_1.HEIC. Export them as JPEG" in said
+        assert "Cannot be read: IMG_1.HEIC. Export as JPEG" in said
+        assert "Most Compatible" in said
         assert "by their names: notes.txt" in said
 
     @pytest.mark.parametrize("name", ["foto/", "foto"])
@@ -105,6 +136,26 @@ class TestReading:
         exif.get_ifd(0x8769)[0x920A] = 24.5
         Image.new("RGB", (4, 3)).save(tmp_path / "a.jpg", exif=exif)
         assert read_header(tmp_path / "a.jpg").focal == 24.5
+
+    def test_equivalent_focal_length(self, tmp_path):
+        exif = Image.Exif()
+        exif.get_ifd(0x8769)[0xA405] = 26
+        Image.new("RGB", (400, 300)).save(tmp_path / "a.jpg", exif=exif)
+        header = read_header(tmp_path / "a.jpg")
+        # 26 mm of a diagonal of 43.27 mm, and the picture's diagonal has 500 px.
+        assert header.focal_px == pytest.approx(26 / 43.267 * 500, rel=1e-4)
+
+    def test_exif_that_makes_no_sense(self, tmp_path):
+        exif = Image.Exif()
+        exif.get_ifd(0x8769)[0x920A] = TiffImagePlugin.IFDRational(0, 0)
+        Image.new("RGB", (4, 3)).save(tmp_path / "a.jpg", exif=exif)
+        assert read_header(tmp_path / "a.jpg").focal == 0
+
+    def test_heic(self, tmp_path):
+        path = tmp_path / "IMG_1.jpg"  # whatever its name
+        path.write_bytes(b"\0\0\0\x24ftypheic" + bytes(300))
+        with pytest.raises(SetAside, match=r"HEIC.*Most Compatible"):
+            read_header(path)
 
     @pytest.mark.parametrize("kind", [np.uint16, np.float32])
     def test_many_grey_levels(self, tmp_path, kind):
