@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from course_lib.exercises.estimation.misconceptions_points import normalised
+from course_lib.exercises.estimation.misconceptions_points import normalised, only_one_row
 
 
 def _design(points: Any, pixels: Any, sign: int = -1) -> Any:
@@ -201,8 +201,4 @@ def only_rows_of_v(points, pixels):
 
 def one_row_alone(case: Any, given: Any) -> bool:
     """Whether an answer is what the rows of one coordinate leave: the other row of P, alone."""
-    P = np.asarray(given, dtype=float)
-    if P.shape != (3, 4) or not np.isfinite(P).all():
-        return P.shape == (3, 4)  # divided by a last number of zero
-    lengths = np.sort(np.linalg.norm(normalised(case.inputs["pixels"])[1] @ P, axis=1))
-    return bool(lengths[1] < 1e-6 * lengths[2])
+    return only_one_row(given, (3, 4), case.inputs["pixels"])

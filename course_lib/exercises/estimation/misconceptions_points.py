@@ -116,6 +116,15 @@ def normalised(points: Any) -> Any:
     return _similarity(points, np.sqrt(points.shape[1]) / _mean_distance(points, centre), centre)
 
 
+def only_one_row(given: Any, shape: tuple[int, int], targets: Any) -> bool:
+    """Whether a matrix is what the rows of one coordinate leave: the row of the other, alone."""
+    M = np.asarray(given, dtype=float)
+    if M.shape != shape or not np.isfinite(M).all():
+        return M.shape == shape  # divided by a last number of zero
+    lengths = np.sort(np.linalg.norm(normalised(targets)[1] @ M, axis=1))
+    return bool(lengths[1] < 1e-6 * lengths[2])
+
+
 def distance_of_one(points):
     centre = points.mean(axis=0)
     return _similarity(points, 1 / _mean_distance(points, centre), centre)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from course_lib.exercises.estimation.misconceptions_points import normalised
+from course_lib.exercises.estimation.misconceptions_points import normalised, only_one_row
 
 
 def _rows(points: Any, targets: Any) -> Any:
@@ -110,12 +110,7 @@ def only_rows_of_y(points, targets):
 
 def one_row_alone(case: Any, given: Any) -> bool:
     """Whether an answer is what the rows of one coordinate leave: the other row of H, alone."""
-    H = np.asarray(given, dtype=float)
-    if H.shape != (3, 3) or not np.isfinite(H).all():
-        return H.shape == (3, 3)  # divided by a last number of zero
-    H = normalised(case.inputs["targets"])[1] @ H
-    lengths = np.sort(np.linalg.norm(H, axis=1))
-    return bool(lengths[1] < 1e-6 * lengths[2])
+    return only_one_row(given, (3, 3), case.inputs["targets"])
 
 
 def _factors(points: Any, targets: Any) -> Any:
