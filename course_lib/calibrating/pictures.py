@@ -210,9 +210,7 @@ def _opened(path: Path) -> Iterator[Any]:
         raise
     except UnidentifiedImageError:
         if path.read_bytes()[4:12] in HEIC:
-            raise SetAside(
-                f"this is a HEIC picture, which cannot be read here: {AS_JPEG}"
-            ) from None
+            raise SetAside(f"a HEIC picture cannot be read here: {AS_JPEG}") from None
         raise SetAside("this is no picture that can be read: save it as JPEG or PNG") from None
     except MemoryError:
         raise SetAside("there is not enough memory for it: make it smaller") from None
