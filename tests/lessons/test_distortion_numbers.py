@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 import pytest
-from lesson_text import lesson_text
+from lesson_text import about, lesson_text, read
 from real_data import fetched
 
 from course_lib import distortion
@@ -19,21 +19,11 @@ says = lesson_text("05_distortion").says
 K, LENS = rails.K, rails.LENS
 
 
-def about(value, digits):
-    """Return what agrees with a printed number of so many decimals."""
-    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
-
-
 @pytest.fixture(scope="module")
 def real():
     """Skip where the real photographs are not to be had."""
     fetched(boards.SHOWN)
     assert boards.board_photograph()[1]
-
-
-def read(frame, label):
-    (found,) = (r for r in frame.readouts if r.label == label)
-    return float(found.value.replace("∞", "inf").replace("–", "nan"))
 
 
 # The rails
@@ -249,6 +239,13 @@ def test_undistort_explorer_shows_what_the_text_says(photograph, before, k1, alo
     assert all_lines_after(photograph, k1) == about(alone, 3)
     assert all_lines_after(photograph, *pair) == about(both, 3)
     says(f"from {before:.3f} px", f"to {alone:.3f} px", f"{both:.3f} px", "0.780 px before, 0.033")
+
+
+def test_the_computed_photograph_starts_elsewhere():
+    lines = boards.board_lines(boards.computed_board())
+    before = np.sqrt(np.mean([distortion.straightness(line) ** 2 for line in lines]))
+    assert before == about(0.992, 3)
+    says("The computed one starts from 0.992 px.")
 
 
 # Fisheye

@@ -105,6 +105,8 @@ def _with_edges(
     right.set(xlim=(90, 610), ylim=(-13, 21))
     if len(right.lines) > 1:
         right.legend(loc="upper right", fontsize=9)
+    else:
+        write(right, (350, 4), "your rails go here", color=GREY)
     return fig
 
 

@@ -71,6 +71,7 @@ FISHEYE_PROJECT = Exercise(
         Misconception(
             wrong.all_powers_of_the_angle,
             "By how much do the powers of the angle grow from one coefficient to the next?",
+            also=[wrong.powers_one_by_one],
         ),
         Misconception(
             wrong.centre_left_out,
@@ -95,6 +96,10 @@ FISHEYE_PROJECT = Exercise(
         Misconception(
             wrong.angle_counted_twice,
             "The angle stands before the brackets. Which powers are then left inside?",
+        ),
+        Misconception(
+            wrong.distance_from_the_camera,
+            "How far is a point from the axis: does its Z count, too?",
         ),
         Misconception(
             wrong.root_left_out,

@@ -86,6 +86,10 @@ def all_powers_of_the_angle(points, K, k):
     return imaged(points, K, k, powers=(1, 2, 3, 4))
 
 
+def powers_one_by_one(points, K, k):
+    return imaged(points, K, k, powers=(2, 3, 4, 5))
+
+
 def centre_left_out(points, K, k):
     return imaged(points, K, k) - K[:2, 2]
 
@@ -108,6 +112,12 @@ def turn_about_the_axis(points, K, k):
 def direction_in_space(points, K, k):
     share = sideways(points)[:, None] / length(points)
     return on_sensor(share * imaged(points, np.eye(3), k), K)
+
+
+def distance_from_the_camera(points, K, k):
+    far = length(points)[:, 0]
+    angle = np.arctan2(far, points[:, 2])
+    return on_sensor(points[:, :2] * (angle * polynomial(angle, k, EVEN) / far)[:, None], K)
 
 
 def by_the_arcsine(points, K, k):

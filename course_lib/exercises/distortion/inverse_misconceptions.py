@@ -213,6 +213,14 @@ def fails_without_fold(coefficients):
     return float(np.sqrt(min(positive_roots(derivative(coefficients)))))
 
 
+def fails_in_numpy_without_fold(coefficients):
+    return float(np.sqrt(np.min(positive_roots(derivative(coefficients)))))
+
+
+def first_of_none(coefficients):
+    return float(np.sqrt(np.sort(positive_roots(derivative(coefficients)))[0]))
+
+
 def complex_roots_kept(coefficients):
     roots = np.roots(derivative(coefficients)).real
     return smallest([q for q in roots if q > 0])

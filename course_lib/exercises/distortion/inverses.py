@@ -149,6 +149,7 @@ VALID_RADIUS = Exercise(
         Misconception(
             wrong.fails_without_fold,
             "`min` of an empty list has no answer. What does it mean that there is no root?",
+            also=[wrong.fails_in_numpy_without_fold, wrong.first_of_none],
         ),
         Misconception(
             wrong.complex_roots_kept,

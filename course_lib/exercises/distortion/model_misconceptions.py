@@ -38,6 +38,14 @@ def factor_alone(points, k):
     return polynomial(length(points), k, (2, 4, 6))[..., 0]
 
 
+def factor_in_a_column(points, k):
+    return polynomial(length(points), k, (2, 4, 6))
+
+
+def lens_of_the_text(points, k):
+    return points * polynomial(length(points), (-0.31, 0.12), (2, 4))
+
+
 def divided(points, k):
     return points / polynomial(length(points), k, (2, 4, 6))
 
@@ -186,6 +194,12 @@ def own_square_of_x(points, coefficients):
     return np.stack([found[:, 0], found[:, 1] + 2 * p1 * (x**2 - y**2)], axis=1)
 
 
+def own_squares_exchanged(points, coefficients):
+    _, _, p1, p2, _ = coefficients
+    x, y = points.T
+    return brown(points, coefficients) + 2 * (y**2 - x**2)[:, None] * [p2, -p1]
+
+
 def opposite_tangential(points, coefficients):
     k1, k2, p1, p2, k3 = coefficients
     return brown(points, (k1, k2, -p1, -p2, k3))
@@ -202,6 +216,11 @@ def own_not_squared(points, coefficients):
 
 def bracket_forgotten(points, coefficients):
     return brown(points, coefficients, own=0.0) + 2 * points**2
+
+
+def bracket_forgotten_in_x(points, coefficients):
+    p2, square = coefficients[3], points[:, :1] ** 2
+    return brown(points, coefficients) + 2 * (1 - p2) * square * [1, 0]
 
 
 def radial_by_powers(points: Any, coefficients: Any, powers: Any) -> Any:

@@ -44,6 +44,7 @@ DISTORT_RADIAL = Exercise(
         Misconception(
             wrong.factor_alone,
             "This is the factor. What does it multiply, and which shape has the answer?",
+            also=[wrong.factor_in_a_column],
         ),
         Misconception(
             wrong.divided,
@@ -87,6 +88,10 @@ DISTORT_RADIAL = Exercise(
         Misconception(
             wrong.factor_added,
             "Does the factor shift the point, or multiply it?",
+        ),
+        Misconception(
+            wrong.lens_of_the_text,
+            "Your answer is the same for every lens. Which argument have you not used?",
         ),
         Misconception(
             wrong.opposite_sign,
@@ -169,6 +174,10 @@ DISTORT = Exercise(
             "x is right, y is not. Whose own square stands in the line for y?",
         ),
         Misconception(
+            wrong.own_squares_exchanged,
+            "Whose own square stands in the brackets of the line for x: its own, or that of y?",
+        ),
+        Misconception(
             wrong.opposite_tangential,
             "A positive p1 moves all points down: y grows. And in your answer?",
         ),
@@ -188,6 +197,7 @@ DISTORT = Exercise(
             wrong.bracket_forgotten,
             "With p1 and p2 zero, does something remain of your tangential terms? What do the "
             "brackets hold?",
+            also=[wrong.bracket_forgotten_in_x],
         ),
         Misconception(
             wrong.square_taken_twice_again,

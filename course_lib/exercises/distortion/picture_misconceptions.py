@@ -84,6 +84,21 @@ def filled_in_the_wrong_order(K, coefficients, image_size):
     return map_u.reshape(map_u.shape[::-1]), map_v.reshape(map_v.shape[::-1])
 
 
+def filled_and_turned(K, coefficients, image_size):
+    map_u, map_v = mapped(K, coefficients, image_size)
+    turned = map_u.shape[::-1]
+    return map_u.reshape(turned).T, map_v.reshape(turned).T
+
+
+def both_in_one_table(K, coefficients, image_size):
+    return np.stack(mapped(K, coefficients, image_size), axis=-1)
+
+
+def centre_exchanged(K, coefficients, image_size):
+    K = np.array([[K[0, 0], 0, K[1, 2]], [0, K[1, 1], K[0, 2]], [0, 0, 1]])
+    return mapped(K, coefficients, image_size)
+
+
 def first_focal_length_for_both(K, coefficients, image_size):
     K = np.array([[K[0, 0], 0, K[0, 2]], [0, K[0, 0], K[1, 2]], [0, 0, 1]])
     return mapped(K, coefficients, image_size)
@@ -133,6 +148,12 @@ def left_flat(K, coefficients, image_size):
 
 def centre_left_out(K, coefficients, image_size):
     return mapped(np.diag(np.diag(K)), coefficients, image_size)
+
+
+def centre_not_taken_off(K, coefficients, image_size):
+    width, height = image_size
+    u, v = np.meshgrid(np.arange(width), np.arange(height))
+    return looked_up(K, coefficients, u / K[0, 0], v / K[1, 1])
 
 
 def stretched_to_the_width(K, coefficients, image_size):

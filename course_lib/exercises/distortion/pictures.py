@@ -66,6 +66,7 @@ UNDISTORTION_MAP = Exercise(
         Misconception(
             wrong.filled_in_the_wrong_order,
             "All numbers are there, but in which shape did you put them back?",
+            also=[wrong.filled_and_turned],
         ),
         Misconception(
             wrong.first_focal_length_for_both,
@@ -100,9 +101,18 @@ UNDISTORTION_MAP = Exercise(
             "A map has rows and columns, like a picture. Which shape has yours?",
         ),
         Misconception(
+            wrong.both_in_one_table,
+            "You put both maps into one array. How many results are asked for?",
+        ),
+        Misconception(
+            wrong.centre_exchanged,
+            "Which number of K is the centre's column, and which one its row?",
+        ),
+        Misconception(
             wrong.centre_left_out,
             "From where do tangents count: from the corner of the picture, or from the principal "
             "point?",
+            also=[wrong.centre_not_taken_off],
         ),
         Misconception(
             wrong.stretched_to_the_width,
