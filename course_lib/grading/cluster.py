@@ -74,6 +74,8 @@ def grade_on_cluster(
     ClusterError
         If there is no scheduler or no worker, a worker refuses, or the scheduler is lost.
     """
+    if not students:
+        return
     with _connected(address) as client:
         _look_at_workers(client, manner)
         yield from _Run(client, assignment, manner, at_once).grade(students)

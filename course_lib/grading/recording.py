@@ -90,6 +90,8 @@ class Recorder:
             for name, content in graded.notebooks.items():
                 growing.mkdir(parents=True, exist_ok=True)
                 (growing / f"{name}.ipynb").write_bytes(content)
+            for path in (*growing.glob("*.ipynb"), growing):
+                _sync(path)
         except OSError as error:  # e.g. a file in the place of one of the source's folders
             shutil.rmtree(growing, ignore_errors=True)
             return replace(graded, trouble=unforeseen(error), grades={}, exercises={})
@@ -190,7 +192,18 @@ def _write(path: Path, text: str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(f".{path.name}.part")
     part.write_text(text, encoding="utf-8", errors="backslashreplace")  # valid in JSON
+    _sync(part)
     os.replace(part, path)
+    _sync(path.parent)
+
+
+def _sync(path: Path) -> None:
+    """Wait until the disk has a file or folder: the machine may lose its power next."""
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
 
 
 def read_record(assignment: Assignment, student: str) -> dict[str, Any]:
