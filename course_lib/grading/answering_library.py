@@ -10,17 +10,22 @@ import ast
 import hashlib
 import shutil
 from collections.abc import Iterable, Sequence
+from functools import cache
 from pathlib import Path
 
 import course_lib
 import data_generators
 from course_lib.exercises import all_exercises
+from course_lib.exercises.pasting import EXERCISES
 from course_lib.judging import Exercise
 
 #: What no submission needs, by package.
 LEFT_OUT = {
     "course_lib": ("authoring", "exercises", "grading", "starting", "cli.py", "notebook.py"),
-    "data_generators": ("classes.py", "everyday_class.py", "mishaps.py", "pasting_mishaps.py"),
+    "data_generators": (
+        *("classes.py", "everyday_class.py", "handwriting.py"),
+        *("mishaps.py", "pasting_mishaps.py", "typed_answers.py"),
+    ),
 }
 PACKAGES = {"course_lib": course_lib, "data_generators": data_generators}
 
@@ -107,23 +112,51 @@ def _drop_stale(library: Path) -> None:
 
 def _hide(library: Path, full_name: str) -> None:
     """Replace a function's statements by a refusal; its docstring stays."""
-    module, _, function = full_name.rpartition(".")
-    path = library.joinpath(*module.split("."))
-    path = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
-    if not path.exists():  # it is in what is left out
+    place = _place(library, full_name)
+    if place is None:  # it is in what is left out
         return
-    source = path.read_text(encoding="utf-8")
-    found = [n for n in ast.parse(source).body if getattr(n, "name", "") == function]
-    if not found or not isinstance(found[0], ast.FunctionDef):
-        raise ValueError(f"{full_name} is no function of its module, so it cannot be hidden")
-    body = found[0].body
-    documented = ast.get_docstring(found[0]) is not None
-    first = body[0].end_lineno if documented else body[0].lineno - 1
+    path, source, found = place
+    documented = ast.get_docstring(found) is not None
+    first = found.body[0].end_lineno if documented else found.body[0].lineno - 1
     lines = source.splitlines()
     refusal = [
         "    from course_lib.sandbox.hidden import ready_made",
         "",
         f"    ready_made({full_name!r})",
     ]
-    lines[first : found[0].end_lineno] = refusal
+    lines[first : found.end_lineno] = refusal
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def _place(library: Path, full_name: str) -> tuple[Path, str, ast.FunctionDef] | None:
+    """Return where a function stands: file, its text, and the definition in it."""
+    module, _, function = full_name.rpartition(".")
+    path = library.joinpath(*module.split("."))
+    path = path / "__init__.py" if path.is_dir() else path.with_suffix(".py")
+    if not path.exists():
+        return None
+    source = path.read_text(encoding="utf-8")
+    found = [n for n in ast.parse(source).body if getattr(n, "name", "") == function]
+    if not found or not isinstance(found[0], ast.FunctionDef):
+        raise ValueError(f"{full_name} is no function of its module, so it cannot be hidden")
+    return path, source, found[0]
+
+
+@cache
+def source_of(full_name: str) -> str:
+    """Return the text of a hidden function, for a process that may have it after all.
+
+    Parameters
+    ----------
+    full_name : str
+        Of `hidden_functions`.
+
+    Returns
+    -------
+    str
+        Its definition without decorators; empty if a submission never has its module.
+    """
+    if full_name.startswith(EXERCISES):
+        return ""
+    place = _place(Path(course_lib.__file__).parents[1], full_name)
+    return "" if place is None else ast.get_source_segment(place[1], place[2]) or ""

@@ -6,7 +6,6 @@ import ast
 import os
 import shutil
 import time
-import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
@@ -15,15 +14,14 @@ from tempfile import TemporaryDirectory, gettempdir
 from types import TracebackType
 from typing import Any
 
-import numpy as np
 from nbformat import NotebookNode
 
-from course_lib.grading.answering_library import hidden_functions, make_library
+from course_lib.grading.answering_library import hidden_functions, make_library, source_of
 from course_lib.grading.isolation import Isolation, demand
-from course_lib.grading.planning import Check, Plan, plan
+from course_lib.grading.planning import Plan, plan
 from course_lib.grading.servers import Conversation, Job, Server, ServerGoneError
-from course_lib.grading.vetting import crashed, vet
-from course_lib.judging import Answer, Case, Exercise, Verdict, judge, pose, seed_for
+from course_lib.grading.vetting import compare, crashed, vet
+from course_lib.judging import Answer, Case, Exercise, Verdict, pose, seed_for
 from course_lib.sandbox import wire
 from course_lib.sandbox.limits import Allowance
 
@@ -31,9 +29,8 @@ from course_lib.sandbox.limits import Allowance
 USUAL = ("numpy", "scipy.linalg", "scipy.optimize", "matplotlib.pyplot", "cv2")
 #: Folders with copies of the library; the number of the process that made one follows.
 PREFIX = "course-grade-"
-#: Servers that are kept, and exercises of one submission that are asked again.
-MOST_SERVERS, MOST_AGAIN = 4, 6
-UNCLEAR = "kind that cannot be compared"
+#: Servers that are kept: one for each notebook of an assignment.
+MOST_SERVERS = 4
 
 
 @dataclass(frozen=True)
@@ -139,15 +136,14 @@ class Judge:
             If the isolated Python ended twice; the submission is not judged then.
         """
         todo = plan(submitted.notebook, submitted.given)
-        hidden = hidden_functions(check.exercise for check in todo.checks)
         try:
-            return self._judge(submitted, todo, hidden)
+            return self._judge(submitted, todo)
         except ServerGoneError:
-            self._stop(hidden)
-            return self._judge(submitted, todo, hidden)
+            self._stop(_hidden(todo))
+            return self._judge(submitted, todo)
 
-    def _judge(self, submitted: Submitted, todo: Plan, hidden: frozenset[str]) -> Outcome:
-        server = self._server(hidden, submitted)
+    def _judge(self, submitted: Submitted, todo: Plan) -> Outcome:
+        server = self._server(_hidden(todo), submitted)
         lines = _lines(submitted.notebook)
         verdicts: dict[int, Verdict | None] = {}
         again: list[int] = []
@@ -160,21 +156,25 @@ class Judge:
                 seconds[check.cell] = time.perf_counter() - start
                 again += [number] if asked and asked[1] - {""} else []
             reason = conversation.reason
-        for number in again[:MOST_AGAIN]:  # something that this exercise may use was hidden
-            check = todo.checks[number]
-            verdicts[check.cell] = self._alone(submitted, todo, number, check, lines)
+        deadline = time.perf_counter() + self._allowance.total_seconds
+        for number in again:  # something that this exercise may use was hidden
+            if time.perf_counter() < deadline:
+                verdicts[todo.checks[number].cell] = self._alone(server, submitted, todo, number)
         return Outcome(verdicts, conversation.outputs, reason, seconds)
 
     def _running(self, server: Server, job: Job) -> Any:
         return server.run(job, self._allowance, str(self._folder))
 
     def _alone(
-        self, submitted: Submitted, todo: Plan, number: int, check: Check, lines: Sequence[str]
+        self, server: Server, submitted: Submitted, todo: Plan, number: int
     ) -> Verdict | None:
         """Ask one exercise where only its own reference is hidden."""
-        server = self._server(hidden_functions([check.exercise]), submitted)
-        with self._running(server, Job(todo.steps, submitted.files, todo.draws)) as conversation:
-            asked = self._ask(conversation, number, check.exercise, submitted.seed, lines)
+        exercise, lines = todo.checks[number].exercise, _lines(submitted.notebook)
+        others = _hidden(todo) - hidden_functions([exercise])
+        given_back = {name: source for name in others if (source := source_of(name))}
+        job = Job(todo.steps, submitted.files, todo.draws, given_back)
+        with self._running(server, job) as conversation:
+            asked = self._ask(conversation, number, exercise, submitted.seed, lines)
         return asked[0] if asked else None
 
     def _ask(
@@ -217,6 +217,10 @@ class Judge:
             self._servers[hidden].stop()
 
 
+def _hidden(todo: Plan) -> frozenset[str]:
+    return hidden_functions(check.exercise for check in todo.checks)
+
+
 def _sweep() -> None:
     """Remove the folders of judges that were killed."""
     for folder in Path(gettempdir()).glob(f"{PREFIX}*"):
@@ -253,34 +257,6 @@ def _answer(
         return Answer("too large", message="too many bytes"), frozenset()
     except wire.Closed:
         return crashed(), frozenset()
-
-
-def compare(exercise: Exercise, cases: Sequence[Case], answers: Sequence[Answer]) -> Verdict:
-    """Judge answers that may be anything; what cannot be compared is wrong.
-
-    Parameters
-    ----------
-    exercise : Exercise
-        What was asked.
-    cases : sequence of Case
-        With which inputs.
-    answers : sequence of Answer
-        Vetted.
-
-    Returns
-    -------
-    Verdict
-        Without examples.
-    """
-    with warnings.catch_warnings(), np.errstate(all="ignore"):
-        warnings.simplefilter("ignore")
-        try:
-            return judge(exercise, cases, answers, reveal=False)
-        except Exception:  # a comparison may stumble over values that nobody thought of
-            unclear = [
-                Answer("not plain", message=UNCLEAR) if a.status == "value" else a for a in answers
-            ]
-            return judge(exercise, cases, unclear, reveal=False)
 
 
 def _lines(notebook: NotebookNode) -> list[str]:

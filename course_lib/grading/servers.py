@@ -40,11 +40,14 @@ class Job:
         What lies beside the notebook.
     draws : bool
         Whether figures are drawn and kept.
+    given_back : mapping of str to str
+        Hidden functions that are to be had after all: their definitions by full names.
     """
 
     steps: Sequence[Mapping[str, Any]]
     files: Mapping[str, bytes] = field(default_factory=dict)
     draws: bool = False
+    given_back: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def checks(self) -> int:
@@ -242,6 +245,7 @@ class Server:
             "steps": [dict(step) for step in job.steps],
             "files": dict(job.files),
             "draws": job.draws,
+            "given_back": dict(job.given_back),
             "walls": self._walled,
             "folder": folder or os.getcwd(),
         }

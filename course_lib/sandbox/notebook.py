@@ -25,7 +25,7 @@ from IPython.core.interactiveshell import InteractiveShell
 from traitlets.config import Config
 
 from course_lib.judging.limits import BoundedText, TimeLimitReached, time_limit
-from course_lib.sandbox import wire
+from course_lib.sandbox import hidden, wire
 from course_lib.sandbox.answers import answer_questions
 from course_lib.sandbox.limits import Allowance
 
@@ -103,7 +103,8 @@ def run_notebook(
     ----------
     job : mapping
         ``steps``: cells (place and source) and checks (what is asked, and number), in order;
-        ``files``: what lies beside the notebook, by name; ``draws``: whether pictures are kept.
+        ``files``: what lies beside the notebook, by name; ``draws``: whether pictures are kept;
+        ``given_back``: for `hidden.give_back`.
     talk : socket
         Where outputs are reported.
     questions : sequence of socket
@@ -113,6 +114,7 @@ def run_notebook(
     """
     shell = InteractiveShell.instance()
     _settle(shell, job)
+    hidden.give_back(job["given_back"])
     left = time.monotonic() + allowance.notebook_seconds
     for step in job["steps"]:
         if "cell" in step:

@@ -3,8 +3,13 @@ import sys
 
 import pytest
 
-from course_lib.exercises import CHAPTERS, all_exercises
-from course_lib.grading.answering_library import all_hidden, hidden_functions, make_library
+from course_lib.exercises import CHAPTERS, all_exercises, find
+from course_lib.grading.answering_library import (
+    all_hidden,
+    hidden_functions,
+    make_library,
+    source_of,
+)
 from course_lib.judging import Exercise
 
 
@@ -29,6 +34,40 @@ def test_a_hidden_function_refuses_and_the_rest_works(tmp_path):
     assert done.returncode == 0, done.stderr
     assert "course_lib.camera.pinhole.dolly_zoom is an exercise here" in done.stdout
     assert "{'course_lib.camera.pinhole.dolly_zoom'}" in done.stdout
+
+
+def test_what_is_given_back_works_wherever_it_was_imported(tmp_path):
+    every = all_hidden("epipolar")
+    own = hidden_functions([find("epipolar.eight_point")])
+    given_back = {name: source for name in every - own if (source := source_of(name))}
+    code = (
+        "import numpy as np\nfrom course_lib.sandbox import hidden\n"
+        "from course_lib import epipolar\nfrom course_lib.epipolar import skew as mine\n"
+        f"hidden.give_back({given_back!r})\n"
+        "print(mine(np.array([1.0, 2, 3]))[0].tolist())\n"
+        "try:\n    epipolar.eight_point(np.ones((8, 2)), np.ones((8, 2)))\n"
+        "except hidden.ReadyMadeError as error:\n    print(error)"
+    )
+    done = python(make_library(tmp_path, every), code)
+    assert done.stdout.startswith("[0.0, -3.0, 2.0]\n"), done.stderr
+    assert "eight_point is an exercise here" in done.stdout
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS)
+def test_all_that_is_hidden_can_be_given_back(chapter):
+    for name in all_hidden(chapter):
+        module, _, function = name.rpartition(".")
+        if not module.startswith("course_lib.exercises"):
+            assert source_of(name).startswith(f"def {function}("), name
+
+
+def test_every_module_can_be_loaded_where_all_references_are_hidden(tmp_path):
+    library = make_library(tmp_path, frozenset().union(*map(all_hidden, CHAPTERS)))
+    files = [path.relative_to(library) for path in library.rglob("*.py")]
+    names = [".".join(file.with_suffix("").parts).removesuffix(".__init__") for file in files]
+    assert {"course_lib.epipolar.refinement", "course_lib.drawing.bundle"} <= {*names}
+    done = python(library, f"import importlib\nfor n in {names!r}: importlib.import_module(n)")
+    assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.parametrize("module", ["exercises", "grading", "authoring", "cli"])
