@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from lesson_text import lesson_text
+from lesson_text import about, lesson_text
 
 from course_lib.drawing import planning as draw
 from course_lib.drawing.explorers.setup_planner import setup_frame
@@ -30,11 +30,6 @@ TEXT = lesson_text("11_planning")
 says = TEXT.says
 TABLE = {v.name: v for v in draw.compared()[0][1]}
 FLIGHT = draw.flight()
-
-
-def about(value, digits):
-    """Return what agrees with a printed number of so many decimals."""
-    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
 
 
 def test_points_of_all_exercises():
@@ -136,6 +131,8 @@ def test_smear_and_light():
     m = 85 / (2195 - 85)  # focused on 2.195 m
     assert m == about(0.0403, 4)
     assert 85 * (1 + m) == about(88.4, 1)
+    assert 1 - 1 / (1 + m) ** 2 == about(0.08, 2)
+    says("$1/(1 + m)^2$ or 8 %")
     assert 13.5 * 2.2 / (85 * (1 + m)) == about(0.336, 3)
     assert draw.chosen().view.K[0, 0] * 13.5e-3 == about(88.4, 1)  # the library's
     assert about(0.000320, 6) == 2.093 * 13.5e-6 / 0.0884
