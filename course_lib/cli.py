@@ -10,6 +10,8 @@ from pathlib import Path
 import course_lib
 from course_lib.calibrating import add_calibrate_command, add_target_command
 
+TERM = "the term's directory"
+
 
 class UsageError(Exception):
     """Something that the person at the keyboard can put right; its text is one sentence."""
@@ -46,7 +48,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="course",
         description="For your own camera (calibrate, target), and for authors and instructors of "
-        "the camera course (build, term, grade).",
+        "the camera course (build, term, grade, report).",
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     add_calibrate_command(commands)
@@ -54,6 +56,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_build(commands)
     _add_term(commands)
     _add_grade(commands)
+    _add_report(commands)
     return parser
 
 
@@ -129,13 +132,31 @@ def _add_grade(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     option("assignment", nargs="?", metavar="NN_topic", help="which assignment")
     option("--student", nargs="+", default=[], metavar="ID", help="only these")
     option("--force", action="store_true", help="grade again what was graded")
-    option("--term", type=Path, default=Path(), metavar="DIR", help="the term's directory")
+    option("--term", type=Path, default=Path(), metavar="DIR", help=TERM)
     many = "how many at a time (one for each core, or worker of the cluster)"
     option("--workers", type=_number, metavar="N", help=many)
     option("--scheduler", metavar="ADDRESS", help="grade on this Dask cluster, not here")
     option("--isolation", choices=["bubblewrap", "none"], help="'none' trusts every submission")
     option("--explain-isolation", action="store_true", help="say what holds on this machine")
     command.set_defaults(run=_grade)
+
+
+def _add_report(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    command = commands.add_parser(
+        "report",
+        help="write a page on the class and one on each student",
+        description="Write report/NN_topic/index.html and a page on each student, in a term's "
+        "directory: scores, exercises, misconceptions, submissions that look alike.",
+    )
+    command.add_argument("assignments", nargs="*", metavar="NN_topic", help="all, unless named")
+    command.add_argument("--term", type=Path, default=Path(), metavar="DIR", help=TERM)
+    command.set_defaults(run=_report)
+
+
+def _report(options: argparse.Namespace) -> int:
+    from course_lib.grading.report import report
+
+    return report(options)
 
 
 def _number(text: str) -> int:

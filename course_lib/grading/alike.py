@@ -105,8 +105,7 @@ def find_alike(
     pairs : list of AlikePair
         Those with the largest share first.
     others : float
-        The largest share of all other pairs with as much in common: how alike those are who are
-        not listed.
+        The largest share below `ALIKE`: how alike those are who are not listed.
     """
     in_words = set(prose)
     questions = []
@@ -117,7 +116,7 @@ def find_alike(
     found = [_compared(questions, pair) for pair in itertools.combinations(sorted(answers), 2)]
     pairs = [pair for pair in found if pair is not None]
     listed = [p for p in pairs if p.share >= ALIKE and len(p.answers) >= FEWEST_ANSWERS]
-    others = max((p.share for p in pairs if p not in listed), default=0.0)
+    others = max((p.share for p in pairs if p.share < ALIKE), default=0.0)
     return sorted(listed, key=lambda pair: (-pair.share, pair.students)), others
 
 
