@@ -51,6 +51,19 @@ ON_CODE: tuple[tuple[str, str, str], ...] = (
     ("TypeError", "only 0-dim", ONE),
     ("TypeError", "only length-1", ONE),
     ("TypeError", "as a data type", SHAPE),
+    (
+        "TypeError",
+        "object is not iterable",
+        "A loop cannot go through a single number. Over a count it goes with `range(n)`; and most "
+        "formulas of NumPy take one number or an array, without any loop.",
+    ),
+    (
+        "TypeError",
+        "cannot be interpreted as an integer",
+        "A whole number belongs here, such as a count or an axis: `int(…)` makes one. The smaller "
+        "of two numbers is `np.minimum(a, b)`.",
+    ),
+    ("KeyError", "", "The dictionary has no such key. Print those that it has: `print(list(…))`."),
     ("TypeError", "not subscriptable", "One number has no parts that `[…]` could pick."),
     (
         "TypeError",

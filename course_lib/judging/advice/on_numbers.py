@@ -168,6 +168,12 @@ ON_NUMBERS: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
     ),
     (
         "ValueError",
+        "zero-size array to reduction",
+        "No entries are left of which one could be the smallest or largest. What should the answer "
+        "be then?",
+    ),
+    (
+        "ValueError",
         "Input must be 1- or 2-d",
         "`np.diag` takes one matrix, and this is a list of them. Take them one by one, or multiply "
         "with `np.eye`, which reaches all of them.",
