@@ -146,15 +146,18 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         return str(value)
 
     def _settings(self) -> str:
-        """Return where the controls stand; of sliders with one label, those not at zero."""
-        labels = [control.label for control in self._controls.values()]
+        """Return where the controls stand; sliders of one label together, if not at zero."""
+        together: dict[str, list[Control]] = {}
+        for control in self._controls.values():
+            together.setdefault(control.label, []).append(control)
         shown = []
-        for name, control in self._controls.items():
-            if not isinstance(control, Slider) or labels.count(control.label) == 1:
-                shown.append(f"{control.label}: {self._shown(name)}")
-            elif self._state[name]:
-                shown.append(f"{control.label} {control.symbol}: {self._shown(name)}")
-        return ", ".join(shown) or "All sliders at zero"
+        for label, controls in together.items():
+            if len(controls) == 1:
+                shown.append(f"{label}: {self._shown(controls[0].name)}")
+            elif moved := [c for c in controls if isinstance(c, Slider) and self._state[c.name]]:
+                values = (f"{c.symbol} = {self._shown(c.name)}" for c in moved)
+                shown.append(f"{label}: {', '.join(values)}")
+        return "; ".join(shown) or "All sliders at zero"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]] | None:
         """Return the live explorer, with a still figure and words for readers without a kernel."""

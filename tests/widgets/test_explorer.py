@@ -125,6 +125,13 @@ def test_readers_without_a_kernel_get_a_figure_and_words(explorer):
     assert cv2.imdecode(png, cv2.IMREAD_COLOR).shape[1] == 800
 
 
+def test_sliders_of_one_label_are_said_together_without_those_at_zero():
+    sliders = [Slider(n, "Corner", n, "px", -9, 9, at) for n, at in (("u", 4), ("v", 0), ("w", -3))]
+    shown = Explorer("Spots", [*sliders, Switch("grid", "Grid")], lambda **_: frame(50, 50, "", 0))
+    words = shown._repr_mimebundle_()[0]["text/plain"]
+    assert "Corner: u = 4 px, w = -3 px; Grid: off" in words.replace("−", "-")
+
+
 def test_readers_without_a_kernel_learn_of_an_error_too(explorer):
     explorer.set(f=90)
     data, _ = explorer._repr_mimebundle_()

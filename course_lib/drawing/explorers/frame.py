@@ -5,6 +5,9 @@ A frame is plain data that the browser draws; :func:`still` draws it for readers
 
 from __future__ import annotations
 
+import io
+import re
+import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -230,14 +233,12 @@ def still(frame: Frame, settings: str = "") -> bytes:
     bytes
         A PNG picture.
     """
-    import io
-    import textwrap
-
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
     widths, heights = zip(*(p.size for p in frame.pictures), strict=True)
-    caption = "\n".join([*textwrap.wrap(settings, 115), *filter(None, [_numbers(frame)])])
+    unbroken = re.sub(r"(?<![,;]) ", "\N{NO-BREAK SPACE}", settings)  # a value keeps its unit
+    caption = "\n".join([*textwrap.wrap(unbroken, 115), *filter(None, [_numbers(frame)])])
     with style.course_style():
         height = (
             style.FULL_WIDTH * max(heights) / sum(widths) + 0.5 + 0.18 * (caption.count("\n") + 1)
