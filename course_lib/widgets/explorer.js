@@ -5,6 +5,10 @@ const IN_FLIGHT = 2; // states on their way to Python at most; the newest one wa
 // Decoding a JPEG waits for a turn of the main thread; on the same machine plain bytes are faster.
 const LOCAL = ["localhost", "127.0.0.1", "[::1]"].includes(window.location.hostname) && "VideoFrame" in window;
 const PATIENCE = 2000; // ms without an answer before the reader is told
+const MANY = 8; // controls that have room in one column; more stand in two
+const NARROW = 660; // px: beside pictures that take no more, many numbers find room
+const LIST = 70; // letters of all options; more stand in a list that opens
+const SENTENCE = 24; // letters of a value that does not fit into a column
 
 export default { render };
 
@@ -22,7 +26,10 @@ function render({ model, el }) {
   const reset = make("button", { type: "button", className: "ce-reset", textContent: "Reset" });
   controls.append(...[...rows.values()].map((row) => row.element), reset);
   panel.append(controls, numbers);
-  root.append(pictures, panel, status, settled);
+  const stage = make("div", { className: "ce-stage" }, pictures, panel);
+  stage.classList.toggle("ce-many", spec.controls.length > MANY);
+  root.style.setProperty("--ce-longest", `${Math.max(...spec.controls.map(longest))}ch`);
+  root.append(stage, status, settled);
   el.append(root);
 
   let figures = [];
@@ -99,6 +106,9 @@ function render({ model, el }) {
       figures.forEach((f) => f.remove());
       figures = message.pictures.map(() => figure(dragged, pointed));
       pictures.replaceChildren(...figures.map((f) => f.element));
+      const width = message.pictures.reduce((sum, p) => sum + p.size[0], 0);
+      stage.classList.toggle("ce-beside", spec.controls.length > MANY && width <= NARROW);
+      stage.style.setProperty("--ce-width", `${width}px`);
     }
     const floats = aligned(buffers[0]);
     message.pictures.forEach((p, i) => figures[i].show(p, photographs[i], floats));
@@ -149,6 +159,9 @@ function labelled(control, id) {
   return label;
 }
 
+const withUnit = (text, unit) => typeset(`${text}${unit === "°" ? "" : " "}${unit}`.trim());
+const longest = ({ texts = [], unit }) => Math.max(0, ...texts.map((text) => withUnit(text, unit).length));
+
 const CONTROLS = {
   slider(control, moved) {
     const { values, texts, unit } = control;
@@ -161,7 +174,7 @@ const CONTROLS = {
       say();
     };
     const say = () => {
-      output.textContent = `${texts[input.value]}${unit === "°" ? "" : " "}${unit}`.trim();
+      output.textContent = withUnit(texts[input.value], unit);
       input.ariaValueText = output.textContent;
       input.style.setProperty("--ce-filled", `${(100 * input.value) / (values.length - 1)}%`);
     };
@@ -180,6 +193,7 @@ const CONTROLS = {
   },
 
   choice(control, moved) {
+    if (control.options.join("").length > LIST) return CONTROLS.list(control, moved);
     const name = newId();
     const radios = control.options.map((value) => make("input", { type: "radio", name, value, id: newId() }));
     const options = radios.map((radio) => make("span", { className: "ce-option" }, radio, make("label", { htmlFor: radio.id, textContent: radio.value })));
@@ -196,6 +210,21 @@ const CONTROLS = {
     };
     row.value = control.default;
     return row;
+  },
+
+  list(control, moved) {
+    const id = newId();
+    const options = control.options.map((textContent) => make("option", { textContent }));
+    const select = make("select", { id, name: control.name }, ...options);
+    const element = make("div", { className: "ce-row ce-choice" }, labelled(control, id), select);
+    select.addEventListener("change", moved);
+    select.value = control.default;
+    return {
+      element,
+      get value() { return select.value; },
+      set value(value) { select.value = value; },
+      follow() {},
+    };
   },
 
   switch(control, moved) {
@@ -231,11 +260,14 @@ function showNumbers(list, readouts) {
 
 // A number is text; a matrix is a table with a name.
 function say(value, readout) {
-  if (!readout.rows.length) return rewrite(value, readout.quantity);
+  if (!readout.rows.length) {
+    value.parentNode.classList.toggle("ce-wide", readout.quantity.length > SENTENCE);
+    return rewrite(value, typeset(readout.quantity));
+  }
   const cells = value.querySelectorAll("td");
-  const texts = readout.rows.flat();
+  const texts = readout.rows.flat().map(typeset);
   if (cells.length === texts.length) return texts.forEach((text, i) => rewrite(cells[i], text));
-  const rows = readout.rows.map((row) => make("tr", {}, ...row.map((text) => make("td", { textContent: text }))));
+  const rows = readout.rows.map((row) => make("tr", {}, ...row.map((text) => make("td", { textContent: typeset(text) }))));
   value.parentNode.classList.add("ce-wide");
   value.replaceChildren(make("table", { className: "ce-matrix", ariaLabel: readout.label }, make("tbody", {}, ...rows)));
 }

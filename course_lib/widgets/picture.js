@@ -13,6 +13,11 @@ function rewrite(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
+// A minus sign, not a hyphen; long whole numbers in groups of three.
+const typeset = (text) => text
+  .replace(/(?<![\w.)])-(?=\.?\d)/g, "\u2212")
+  .replace(/(?<![\d.])\d{5,}(?!\d)/g, (digits) => digits.replace(/\B(?=(\d{3})+$)/g, "\u202f"));
+
 const decode = (data) => createImageBitmap(new Blob([data], { type: "image/jpeg" }));
 
 function unpacked(picture, buffers) {
@@ -63,6 +68,7 @@ function figure(dragged, pointed) {
     style ??= styleOf(box);
     const context = fit(canvas);
     if (photograph) cover(context, photograph);
+    else blank(context, style); // where a photograph was, the canvas is black
     for (const line of picture.lines) stroke(context, line, floats, style, Boolean(photograph));
     for (const handle of picture.handles) spot(context, handle, style, picture.size[0] / width);
     for (const label of picture.labels) write(context, label, style, Boolean(photograph));
@@ -99,7 +105,7 @@ function figure(dragged, pointed) {
       ringMark(context, picture.marks, floats, near, style, w / width);
       texts.push(...saidOfMark(picture.marks, floats, near));
     }
-    rewrite(reading, texts.join("  ·  "));
+    rewrite(reading, typeset(texts.join("  ·  ")));
   }
 
   const under = (event) => [event.offsetX, event.offsetY].map((x) => (x * picture.size[0]) / width - 0.5);
@@ -235,6 +241,14 @@ function spot(context, { at, role }, { ink }, pixel) {
   context.stroke();
 }
 
+function blank(context, { ink }) {
+  context.save();
+  context.resetTransform();
+  context.fillStyle = ink("paper");
+  context.fillRect(0, 0, context.canvas.width, context.canvas.height);
+  context.restore();
+}
+
 // To the last row of the canvas, of which a rounded height may leave a part.
 function cover(context, photograph) {
   context.save();
@@ -243,18 +257,22 @@ function cover(context, photograph) {
   context.restore();
 }
 
-// Outlining letters is slow, and most labels stay: each is drawn once, then copied.
+// Outlining letters is slow, and most labels stay: each is drawn once, then copied. One that would
+// reach over the edge of the picture is moved inwards.
 function write(context, label, { ink, font, lettering }, onPhotograph) {
   const halo = onPhotograph ? "rgba(255,255,255,.8)" : ink("paper");
   const key = [label.text, label.role, halo].join();
   if (lettering.size > 200) lettering.clear();
-  if (!lettering.has(key)) lettering.set(key, lettered(label.text, font, ink(`${label.role}-text`), halo));
+  if (!lettering.has(key)) lettering.set(key, lettered(typeset(label.text), font, ink(`${label.role}-text`), halo));
   const { canvas, margin } = lettering.get(key);
   const before = { start: 0, middle: 0.5, end: 1 }[label.anchor] * (canvas.width - 2 * margin) + margin;
   const place = context.getTransform().transformPoint(new DOMPoint(...label.at));
   context.save();
   context.resetTransform();
-  context.drawImage(canvas, Math.round(place.x - before), Math.round(place.y - canvas.height / 2));
+  const room = [context.canvas.width - canvas.width, context.canvas.height - canvas.height];
+  const corner = [place.x - before, place.y - canvas.height / 2];
+  const [x, y] = corner.map((at, i) => Math.round(Math.min(Math.max(at, -margin), room[i] + margin)));
+  context.drawImage(canvas, x, y);
   context.restore();
 }
 

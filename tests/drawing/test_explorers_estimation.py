@@ -185,7 +185,9 @@ def test_the_enlarged_view_keeps_its_scale_and_counts_what_is_outside():
     outside = int((np.abs(found[:, :2]) > 100).any(axis=1).sum())
     assert outside > 0
     assert len(by_role(large, "object")) == noise.TRIALS - outside + 1
-    assert f"{outside} of them are outside" in [label.text for label in large.labels]
+    assert f"{outside} of them {'is' if outside == 1 else 'are'} outside" in [
+        label.text for label in large.labels
+    ]
     assert not [label for label in small.labels if "outside" in label.text]
 
 

@@ -105,7 +105,8 @@ def test_a_lens_that_does_not_fit_is_refused_in_words():
     frame = bench.setup_frame(**SETTING | {"lens": "Computar M1614-MP2"})
     texts = [label.text for label in frame.pictures[2].labels]
     assert "has the mount C" in texts[1]
-    assert set(texts[3:]) == {
+    assert texts[2] == "Phantom v2640 has Nikon F"
+    assert set(texts[4:]) == {
         name for name, lens in bench.lenses().items() if lens.mount == "Nikon F"
     }
 

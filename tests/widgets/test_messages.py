@@ -103,6 +103,17 @@ def test_a_photograph_arrives_as_bytes_in_the_right_colours():
     assert np.abs(decoded.astype(int) - GRADIENT).max() <= 6
 
 
+def test_bytes_carry_the_mean_colour_of_four_pixels():
+    mosaic = np.zeros((40, 60, 3), np.uint8)
+    mosaic[::2, ::2, 0] = mosaic[::2, 1::2, 1] = mosaic[1::2, ::2, 1] = mosaic[1::2, 1::2, 2] = 255
+    decoded = cv2.cvtColor(
+        np.frombuffer(i420(mosaic), np.uint8).reshape(60, 60), cv2.COLOR_YUV2RGB_I420
+    )
+    red, green, blue = decoded.mean(axis=(0, 1)).tolist()
+    assert green > red + 30
+    assert abs(red - blue) < 25
+
+
 def test_a_picture_of_odd_size_stays_jpeg():
     odd = Picture("Odd", "", (59, 40), GRADIENT[:, :59].astype(np.uint8))
     message, buffers = encode_frame(Frame((odd,)), raw=True)

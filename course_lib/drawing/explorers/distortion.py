@@ -205,7 +205,7 @@ def _profile(lens: Floats, limit: float) -> Picture:
         labels=(
             *PROFILE.ticks((0, 0.5, 1, 1.5), (0.5, 1, 1.5)),
             *PROFILE.names("r of a pinhole", "r with the lens"),
-            Label("picture", PROFILE.at(right, CORNER, -4, 9), "guide", "end"),
+            Label("picture", PROFILE.at(PROFILE.x[0], CORNER, 4, 9), "guide"),
             *mark,
         ),
     )

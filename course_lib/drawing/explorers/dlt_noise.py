@@ -190,7 +190,8 @@ def _zoom(found: Floats, outline: Floats, spread: Floats) -> Picture:
     lines.append(Line(plot.pixels(*(outline - centre).T), "object", 1.5))
     lines.append(Line(disc(plot.pixels(0, 0)[0], 7), "camera", 2.5, closed=True))
     ticks, beyond = (-REACH, 0, REACH), len(spots) - len(near)
-    note = (Label(f"{beyond} of them are outside", (284, 42), anchor="end"),) if beyond else ()
+    verb = "is" if beyond == 1 else "are"
+    note = (Label(f"{beyond} of them {verb} outside", (284, 42), anchor="end"),) if beyond else ()
     return Picture(
         f"{TRIALS} tries, enlarged",
         f"{TRIALS} tries scatter around the camera's true place: {spread[0]:.2f} mm the longest "

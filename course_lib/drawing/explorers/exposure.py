@@ -177,7 +177,7 @@ def _histogram(numbers: NDArray[np.unsignedinteger], clipped: float) -> Picture:
         labels.append(Label("clipped", (246.0, 16.0), "object", "end"))
     peak = 64 * int(counts.argmax())
     return Picture(
-        "Histogram of what the camera wrote",
+        "What the camera wrote",
         f"Histogram of the numbers from 0 to 4095; most pixels are near {peak}, and "
         f"{clipped:.1%} are clipped.",
         SIDE_SIZE,

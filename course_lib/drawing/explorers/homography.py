@@ -158,14 +158,15 @@ def _wall(H: Floats, width: float, height: float) -> Picture:
     metres = np.array([[1 / SCALE, 0, 0.5 / SCALE], [0, -1 / SCALE, high - 0.5 / SCALE], [0, 0, 1]])
     backward = np.linalg.inv(H) @ metres
     flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    straight = cv2.warpPerspective(_picture(), backward, (columns, rows), flags=flags)
+    size, beyond = (columns, rows), (235,) * 3
+    straight = cv2.warpPerspective(_picture(), backward, size, flags=flags, borderValue=beyond)
     column, floor = MEASURED
     seen = apply_homography(_truth()[1], np.linalg.inv(metres) @ H)
     return Picture(
         "The wall, straightened",
         f"The wall as these corners straighten it, {wide:g} m × {high:g} m. Window {column + 1} of "
         f"floor {floor + 1} measures {_metres(width)} m × {_metres(height)} m.",
-        (columns, rows),
+        size,
         np.ascontiguousarray(straight),
         lines=(Line(seen, "second", 2.0, closed=True),),
     )

@@ -65,7 +65,7 @@ def poses_frame(noise: float, **switched: bool) -> Frame:
     readouts = [Readout("Views", "", f"{sum(chosen)}")]
     for name, (unit, _) in BARS.items():
         value = sigma[name]
-        text = f"± {value:.2g}" if np.isfinite(value) else "not determined"
+        text = f"± {_short(value)}" if np.isfinite(value) else "not determined"
         readouts.append(Readout(name, "", text, unit if np.isfinite(value) else ""))
     return Frame((_bars(sigma, noise), _room(chosen), _seen(chosen)), tuple(readouts))
 
@@ -198,6 +198,11 @@ def _named(chosen: list[bool]) -> str:
     return "; ".join(names) or "none"
 
 
+def _short(value: float) -> str:
+    """Return two significant digits, without a power of ten where the number is large."""
+    return f"{value:.0f}" if value >= 100 else f"{value:.2g}"
+
+
 def _bars(sigma: dict[str, float], noise: float) -> Picture:
     left, right, top, bottom = AXES.box
     lines, labels, said = [AXES.frame()], [*AXES.ticks((0.01, 0.1, 1, 10, 100), ())], []
@@ -210,7 +215,7 @@ def _bars(sigma: dict[str, float], noise: float) -> Picture:
         box = [[left, v - 12], [end, v - 12], [end, v + 12], [left, v + 12]]
         role = "camera" if known else "guide"
         lines.append(Line(box, role, 1.0, closed=True, dashed=not known, fill=0.5 if known else 0))
-        text = f"{sigma[name]:.2g} {unit}".rstrip() if known else "open"
+        text = f"{_short(sigma[name])} {unit}".rstrip() if known else "open"
         labels += [Label(name, (left - 6, v), anchor="end"), Label(text, (end + 5, v))]
         said.append(f"{name} {text}")
     return Picture(

@@ -84,7 +84,7 @@ def ransac_frame(n: int, wrong: float, threshold: float) -> Frame:
     counts = agree.sum(axis=1)
     now, best = int(n) - 1, int(np.argmax(counts))
     share = min(counts[best] / PAIRS, 1.0)
-    needed = ransac_iterations(CONFIDENCE, SAMPLE, 1 - share) if share > 0 else 0
+    needed = ransac_iterations(CONFIDENCE, SAMPLE, 1 - share) if share > 0 else np.inf
     long = f"{needed:,}".replace(",", "\N{NARROW NO-BREAK SPACE}")
     long = long if needed <= MANY else "more than a million"
     good = int(all_draws.right[all_draws.samples[now]].sum())

@@ -201,16 +201,12 @@ def _labels(
     Z: float, lenses: list[tuple[float, float]], image: float, m: float
 ) -> tuple[Label, ...]:
     """Return the names of what is seen."""
-    f1 = lenses[0][1]
     labels = [
         _object_label(Z),
-        *_focal_labels(f1, len(lenses)),
-        Label("lens 1" if len(lenses) > 1 else "lens", _at(0, RIM, 0, -14), "camera", "middle"),
+        *_focal_labels(lenses[0][1], len(lenses)),
+        *_lens_labels([where for where, _ in lenses]),
         Label("heights are drawn 3 times as large as lengths", (8, SIZE[1] - 10), "guide"),
     ]
-    if len(lenses) > 1:
-        near = lenses[1][0] < 48  # the names would touch
-        labels.append(Label("2" if near else "lens 2", _at(lenses[1][0], RIM, 0, -14), "camera"))
     place = lenses[-1][0] + image
     if not _shown(place):
         labels += _outside(image, m, len(lenses))
@@ -221,11 +217,23 @@ def _labels(
     return tuple(labels)
 
 
+def _lens_labels(places: list[float]) -> list[Label]:
+    """Return the names of the lenses; those of a near pair stand on its two sides."""
+    tops = [_at(place, RIM, 0, -14) for place in places]
+    if len(places) == 1:
+        return [Label("lens", tops[0], "camera", "middle")]
+    anchor = "end" if places[1] < 48 else "middle"  # mm: nearer, and the names would touch
+    return [Label("lens 1", tops[0], "camera", anchor), Label("lens 2", tops[1], "camera")]
+
+
 def _focal_labels(f1: float, count: int) -> list[Label]:
-    """Return the names of the first lens's focal points, of which a pair has its own."""
-    names, down = (("F", "F′"), 16) if count == 1 else (("F₁", "F₁′"), -14)
+    """Return the names of the first lens's focal points, of which a pair has its own.
+
+    They stand above the axis, as the name of a real image is below.
+    """
+    names = ("F", "F′") if count == 1 else ("F₁", "F₁′")
     return [
-        Label(name, _at(x, 0, 0, down), "camera", "middle")
+        Label(name, _at(x, 0, 0, -14), "camera", "middle")
         for x, name in zip((-f1, f1), names, strict=True)
     ]
 
@@ -253,19 +261,25 @@ def _image_numbers(image: float, m: float, count: int) -> tuple[Readout, ...]:
     """Return the numbers of the image."""
     last = "the lens" if count == 1 else "the last lens"
     return (
-        Readout(f"Image behind {last}", "s", _text(image, 1), "mm"),
-        Readout("Magnification", "", _text(m, 2), "×"),
+        Readout(f"Image behind {last}", "s", *_quantity(image, 1, "mm")),
+        Readout("Magnification", "", *_quantity(m, 2, "×")),
     )
 
 
 def _system_numbers(focal: float, front: float, back: float) -> tuple[Readout, ...]:
     """Return the numbers of two lenses that act as one."""
     return (
-        Readout("Focal length of the whole", "f", _text(focal, 1), "mm"),
+        Readout("Focal length of the whole", "f", *_quantity(focal, 1, "mm")),
         Readout("Power of the whole", "1/f", _text(1000 / focal, 1), "dpt"),
-        Readout("H behind lens 1", "", _text(front, 1), "mm"),
-        Readout("H′ behind the last lens", "", _text(back, 1), "mm"),
+        Readout("H behind lens 1", "", *_quantity(front, 1, "mm")),
+        Readout("H′ behind the last lens", "", *_quantity(back, 1, "mm")),
     )
+
+
+def _quantity(value: float, digits: int, unit: str) -> tuple[str, str]:
+    """Return a number as text and its unit; infinity has none."""
+    text = _text(value, digits)
+    return text, "" if text == "∞" else unit
 
 
 def _text(value: float, digits: int) -> str:

@@ -137,7 +137,7 @@ def _cloud(
         Line(own, "object", 1.6),
         Line(disc(plot.pixels(*residual)[0], 7), "camera", 2.5, closed=True),
     )
-    tick = round(0.8 * reach, 1)
+    tick = float(f"{0.95 * reach:.1g}")
     return Picture(
         f"All {seen.residuals.shape[0] * seen.residuals.shape[1]} residuals, view {view} in red",
         f"All residuals around zero, at most {np.abs(seen.residuals).max():.2f} px along u or v. "

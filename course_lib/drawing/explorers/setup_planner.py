@@ -162,11 +162,13 @@ def _row(verdict: Verdict, v: float) -> list[Label]:
 
 def _does_not_fit(body: CameraModel, glass: LensModel) -> Frame:
     """Return a frame that says why there is no picture."""
-    words = f"{glass.name} has the mount {glass.mount}, {body.name} has {body.mount}"
+    short = body.name.partition(",")[0]
+    words = f"{glass.name} has the mount {glass.mount}, {short} has {body.mount}"
     fitting = [name for name, lens in lenses().items() if lens.mount == body.mount]
     table = [Label("This lens does not fit:", (4, 20), "object")]
-    table += [Label(words, (4, 42)), Label("These lenses fit this camera:", (4, 86))]
-    table += [Label(name, (22, 108 + 20 * i)) for i, name in enumerate(fitting)]
+    table += [Label(line, (22, 42 + 20 * i)) for i, line in enumerate(words.split(", ", 1))]
+    table += [Label("These lenses fit this camera:", (4, 106))]
+    table += [Label(name, (22, 128 + 20 * i)) for i, name in enumerate(fitting)]
     empty = f"No picture: {words}."
     pictures = (
         Picture("Through the right camera", empty, VIEW_SIZE),
