@@ -78,7 +78,9 @@ class LensModel:
     N_least, N_most : float
         Range of its f-numbers.
     closest : float
-        Shortest distance that it can be focused on, m.
+        Shortest distance that it can be focused on, m. Makers of photographic lenses count it from
+        the sensor, others from the front of the lens; here it is compared with the distance from
+        the lens.
     image_circle_mm : float
         Diameter of the circle that it draws; where its maker names a format only, that format's
         diagonal (2/3 inch: 11 mm; 24 x 36 mm: 43.3 mm). Focused near, it draws a larger one.
