@@ -110,6 +110,14 @@ class TestVerdicts:
             spreads.append(np.sqrt(np.linalg.eigvalsh(np.cov(found.T)).max()))
         assert verdict("expected σ").value == pytest.approx(1000 * max(spreads), rel=0.06)
 
+    def test_a_lens_of_the_same_format_covers_the_sensor(self):
+        """2/3 inch: a circle of 11 mm, a sensor of 11.07 mm; both are nominal."""
+        small = replace(
+            GOOD, camera=read_cameras()["mvBlueFOX3-2051"], lens=read_lenses()[LENS.name]
+        )
+        assert verdict("image circle", small).met
+        assert not verdict("image circle", replace(small, camera=CAMERA)).met
+
 
 class TestErrors:
     def test_a_lens_must_fit(self):
