@@ -111,7 +111,7 @@ class DefocusedView:
         """Return the focal length of a camera by that at which the scene is drawn for it."""
         if self.zooms:
             f = float(camera.K[0, 0])
-            return f / RUNG ** round(np.log(f) / np.log(RUNG))
+            return float(f / RUNG ** round(np.log(f) / np.log(RUNG)))
         return lens.image_distance / lens.f if self.breathes else 1.0
 
     def _room(self, camera: Camera) -> tuple[int, int]:

@@ -53,7 +53,7 @@ def epipolar_frame(arrangement: str, u: float, v: float, Z: float) -> Frame:
     shown = bool(((place >= 0) & (place <= np.array(SIZE) - 1)).all())  # NaN is not
     patches = _patch(arrangement, 0, at), _patch(arrangement, 1, place) if shown else None
     where = f"({place[0]:.0f}, {place[1]:.0f})" if shown else "outside"
-    difference = f"{_difference(patches[0], patches[1]):.0f}" if shown else "–"
+    difference = "–" if patches[1] is None else f"{_difference(patches[0], patches[1]):.0f}"
     readouts = (
         Readout("Point on the left", "(u, v)", f"({u:g}, {v:g})", "px"),
         Readout("Candidate on the right", "", where, "px" if shown else ""),

@@ -157,7 +157,7 @@ def _row(verdict: Verdict, v: float) -> list[Label]:
         Label(f"{bound} {shown(verdict.limit)} {unit}", (256, v), "guide"),
     ]
     short = textwrap.shorten(verdict.remedy, 76, placeholder=" …")
-    return [*found, *([Label(short, (22, v + 15), "object")] if short else [])]
+    return [*found, *([Label(short, (22, v + 13), "object")] if short else [])]
 
 
 def _does_not_fit(body: CameraModel, glass: LensModel) -> Frame:
