@@ -30,7 +30,7 @@ CARD_AT, CARD_TURN = (282.0, 72.0), 0.2  # its upper left corner, and its turn, 
 BOX = (120.0, 80.0, 60.0)  # along x, y and up, mm
 BOX_AT, BOX_TURN = (278.0, 28.0), 0.12  # its lower corner that is nearest to the target, rad
 #: Of the camera: focal length by the picture's width, and its lens.
-FOCAL, LENS = 0.735, (0.09, -0.19, 0.0006, -0.0004, 0.0)
+FOCAL, LENS = 0.735, (0.06, -0.1, 0.0006, -0.0004, 0.0)
 FINER, STEP = 2, 8  # the picture is drawn so much finer; the lens is computed every so many px
 WIDER = 0.06  # a lens that bends outwards needs so much more than the picture, at each side
 #: From the frame of the target to that of the desk, whose z is up.

@@ -54,6 +54,7 @@ MAY_IMPORT = {
     "course_lib.lab": {
         "course_lib.calibrating",
         "course_lib.data",
+        "course_lib.detection",
         "course_lib.display",
         "course_lib.drawing",
         "course_lib.page",

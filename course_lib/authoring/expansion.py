@@ -21,6 +21,8 @@ from course_lib.judging.text import format_points
 VALUES = "values"
 #: nbgrader's id of the cell with the imports.
 SETUP = "setup"
+#: Tag and nbgrader's id of a cell that shows a report to the person who grades.
+REPORT = "report"
 #: The same whatever Python builds the notebooks.
 METADATA = {
     "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
@@ -99,6 +101,8 @@ def _expand_cell(lesson: Lesson, cell: LessonCell) -> list[NotebookNode]:
         metadata = dict(cell.metadata)
         if cell is _setup(lesson):
             metadata["nbgrader"] = _flags(SETUP, locked=True)
+        elif REPORT in metadata.get("tags", []):
+            metadata["nbgrader"] = _flags(REPORT, locked=True)
         return [new_code_cell(cell.source, metadata=metadata)]
     try:
         exercise = find(cell.exercise)

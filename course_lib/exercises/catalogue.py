@@ -21,6 +21,7 @@ CHAPTERS = {
     "triangulation": "09_triangulation",
     "bundle": "10_bundle",
     "planning": "11_planning",
+    "lab": "12_lab",
 }
 
 

@@ -2,7 +2,7 @@
 
 A notebook has many cells that show figures and explorers. Nobody looks at them while a class is
 graded, so a cell that students were given, and left as it was, is run only if it makes something
-that other cells use. Its figures are not drawn.
+that other cells use. Its figures are not drawn. A report that a person must see is always shown.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from IPython.core.inputtransformer2 import TransformerManager
 from nbformat import NotebookNode
 from nbgrader.utils import is_grade, is_solution
 
+from course_lib.authoring.expansion import REPORT
 from course_lib.exercises import find
 from course_lib.judging import Exercise, ValuesExercise
 
@@ -61,11 +62,12 @@ def plan(notebook: NotebookNode, given: Iterable[str]) -> Plan:
     Plan
         Steps from top to bottom.
     """
-    draws = any(_for_a_person(cell) for cell in notebook.cells)
+    everything = any(_for_a_person(cell) for cell in notebook.cells)
+    draws = everything or any(_is_report(cell) for cell in notebook.cells)
     untouched = {source.strip() for source in given}
     checks = _checks(notebook)
     places = {check.cell: number for number, check in enumerate(checks)}
-    runs = {} if draws else _slices(notebook, untouched, set(places))
+    runs = {} if everything else _slices(notebook, untouched, set(places))
     steps: list[Mapping[str, Any]] = []
     for index, cell in enumerate(notebook.cells):
         if cell.cell_type != "code":
@@ -79,6 +81,10 @@ def plan(notebook: NotebookNode, given: Iterable[str]) -> Plan:
 
 def _for_a_person(cell: NotebookNode) -> bool:
     return bool(cell.cell_type == "code" and is_grade(cell) and is_solution(cell))
+
+
+def _is_report(cell: NotebookNode) -> bool:
+    return bool(cell.metadata.get("nbgrader", {}).get("grade_id") == REPORT)
 
 
 def _checks(notebook: NotebookNode) -> list[Check]:

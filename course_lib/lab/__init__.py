@@ -11,11 +11,13 @@ from course_lib.lab.figures import (
     straightened,
 )
 from course_lib.lab.photographs import Shot, Work, calibrate, look, shot
+from course_lib.lab.real_pairs import Checked, honest, measure_real_pairs
 from course_lib.lab.report import Result, show_report, write_report
 from course_lib.lab.supplied import SUPPLIED
 
 __all__ = [
     "SUPPLIED",
+    "Checked",
     "Result",
     "Shot",
     "Work",
@@ -25,8 +27,10 @@ __all__ = [
     "contributions",
     "coverage",
     "from_above",
+    "honest",
     "lens_bend",
     "look",
+    "measure_real_pairs",
     "rays",
     "shot",
     "show_report",

@@ -185,7 +185,7 @@ def calibrate(work: Work, coefficients: Sequence[str] = ("k1", "k2", "p1", "p2")
     return replace(work, photos=photos, solved=solved, judgement=judgement)
 
 
-def shot(work: Work, name: str) -> Shot:
+def shot(work: Work, name: str, unevenness: float = 0.0) -> Shot:
     """Return a photograph to measure in, and where the camera stood.
 
     Parameters
@@ -194,6 +194,8 @@ def shot(work: Work, name: str) -> Shot:
         With its camera.
     name : str
         Of a photograph in which the target was found.
+    unevenness : float
+        Standard deviation of the target's points from where they should be, mm.
 
     Returns
     -------
@@ -218,7 +220,8 @@ def shot(work: Work, name: str) -> Shot:
     assert photo.detection is not None
     corners = np.asarray(photo.detection.points, float)
     points = work.target.points()[photo.detection.ids]
-    return Shot(name, read_rgb(photo.path), corners, view_of_target(points, corners, camera))
+    view = view_of_target(points, corners, camera, unevenness)
+    return Shot(name, read_rgb(photo.path), corners, view)
 
 
 def read_rgb(path: Path) -> NDArray[np.uint8]:

@@ -69,12 +69,12 @@ class Result:
         """
         return abs(self.difference) / float(np.hypot(self.length.plus_minus, self.ruler_pm))
 
-    def text(self) -> str:
-        """Return the result in a line."""
-        return (
-            f"{self.length}; ruler {self.ruler:g} mm ± {self.ruler_pm:g} mm; difference "
-            f"{self.difference:+.2f} mm, {self.ratio:.2f} of both ± together"
-        )
+    @property
+    def said(self) -> str:
+        """The result in a line."""
+        by_ruler = f"{self.ruler:g} mm ± {self.ruler_pm:g} mm"
+        apart = f"{round(self.difference, 2) + 0.0:+.2f} mm, {self.ratio:.2f} of both ± together"
+        return f"{self.name}: {self.length}; ruler {by_ruler}; difference {apart}"
 
 
 def write_report(work: Work, results: Sequence[Result], folder: str | Path = ".") -> Path:
@@ -105,7 +105,7 @@ def write_report(work: Work, results: Sequence[Result], folder: str | Path = "."
     lines = camera_lines(work)
     lengths = [_length(result) for result in results]
     picture = _png(report_page(title, _thumbnails(work), lines, lengths))
-    said = "\n".join([title, *lines, *(f"{r.name}: {r.text()}" for r in results)])
+    said = "\n".join(f"{line}." for line in (title, *lines, *(r.said for r in results)))
     held = {
         "words": said,
         "png": base64.b64encode(picture).decode("ascii"),
@@ -208,7 +208,7 @@ def _thumbnails(work: Work) -> list[NDArray[np.uint8]]:
 
 def _length(result: Result) -> Length:
     cuttings = tuple(_cutting(shot.photograph, ends) for shot, ends in result.pointed)
-    return Length(result.name, result.text(), result.length.parts, cuttings)
+    return Length(result.said, result.length.parts, cuttings)
 
 
 def _cutting(

@@ -39,10 +39,9 @@ MEASURING_AIMS: tuple[Aim, ...] = (
     ((190, 45), 42, -42, 520, -4),
     ((190, 45), 42, 40, 520, 6),
 )
-#: Three more cannot be used: one is blurred, in one the target is cut off, in one there is none.
+#: Two more cannot be used: one is blurred, in one the target is cut off.
 SHARP, BLURRED = 0.8, 7.0  # px
 CUT_OFF: Aim = ((-70, 62), 25, 0, 300, 0)
-NO_TARGET: Aim = ((700, -300), 20, 0, 420, 0)
 NOISE, QUALITY = 5.0, 88
 
 
@@ -72,7 +71,7 @@ def _name(number: int) -> str:
 
 SUPPLIED = Supplied(
     desk.TARGET,
-    tuple(_name(len(TARGET_AIMS) + 4 + k) for k in range(3)),
+    tuple(_name(len(TARGET_AIMS) + 3 + k) for k in range(3)),
     desk.CARD[0],
     desk.BOX[2],
 )
@@ -85,11 +84,11 @@ def supplied_photographs() -> tuple[Path, ...]:
     Returns
     -------
     tuple of Path
-        Twelve for the camera, three that cannot be used, three to measure in.
+        Twelve for the camera, two that cannot be used, three to measure in.
     """
     folder = Path(tempfile.mkdtemp(prefix="camera-course-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    aims = [*TARGET_AIMS, TARGET_AIMS[1], CUT_OFF, NO_TARGET, *MEASURING_AIMS]
+    aims = [*TARGET_AIMS, TARGET_AIMS[1], CUT_OFF, *MEASURING_AIMS]
     blurs = [BLURRED if k == len(TARGET_AIMS) else SHARP for k in range(len(aims))]
     return tuple(
         _written(folder, number, *what)

@@ -21,6 +21,11 @@ FINE = 0.1  # px: the finest step
 GRIP = (44.0, 44.0)  # px: where a close-up is gripped, beside its mark
 MAGNIFIED = CLOSE / (2 * REACH)
 ROLES = ("object", "camera")
+NOTHING = 1e-9
+#: Four strokes around a mark, px of a close-up; a NaN row lifts the pen.
+CROSS = np.concatenate(
+    [[3 * s, 30 * s, s * np.nan] for s in np.array([(1, 0), (-1, 0), (0, 1), (0, -1.0)])]
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +95,7 @@ def pointing_frame(pointed: Pointed, shown: Pixels, **state: float) -> Frame:
 def _numbers(pointed: Pointed, places: Floats) -> tuple[Readout, ...]:
     apart = float(np.linalg.norm(places[1] - places[0]))
     first = tuple(
-        Readout(name[0].upper() + name[1:], "(u, v)", f"{u:.1f}, {v:.1f}", "px")
+        Readout(_capital(name), "(u, v)", f"{u:.1f}, {v:.1f}", "px")
         for name, (u, v) in zip(pointed.names, places.tolist(), strict=True)
     )
     measured = pointed.value(places) if pointed.value else ()
@@ -102,16 +107,6 @@ def _whole(pointed: Pointed, shown: Pixels, places: Floats) -> Picture:
     height, width = shown.shape[:2]
     small = (places + 0.5) / pointed.scale - 0.5
     guides = [(np.asarray(g, float) + 0.5) / pointed.scale - 0.5 for g in pointed.guides]
-    handles = []
-    for i, (at, role) in enumerate(zip(small.tolist(), ROLES, strict=True), 1):
-        offset = 0.5 * pointed.scale - 0.5
-        moves: list[tuple[str, float, float, float]] = [
-            (f"u{i}", offset, pointed.scale, 0.0),
-            (f"v{i}", offset, 0.0, pointed.scale),
-            (f"du{i}", 0.0, 1e-9, 0.0),  # the fine part starts again
-            (f"dv{i}", 0.0, 0.0, 1e-9),
-        ]
-        handles.append(Handle((at[0], at[1]), tuple(moves), role))
     one, other = [f"({u:.1f}, {v:.1f})" for u, v in places.tolist()]
     return Picture(
         "Drag the marks near",
@@ -124,8 +119,20 @@ def _whole(pointed: Pointed, shown: Pixels, places: Floats) -> Picture:
             *(Line(guide, "second", 1.5, dashed=True) for guide in guides),
         ),
         labels=_names(pointed, small, (width, height)),
-        handles=tuple(handles),
+        handles=tuple(_handle(i, at, pointed.scale) for i, at in enumerate(small.tolist(), 1)),
     )
+
+
+def _handle(number: int, at: list[float], scale: float) -> Handle:
+    """Return the spot of a mark in the whole photograph."""
+    offset = 0.5 * scale - 0.5
+    moves = (
+        (f"u{number}", offset, scale, 0.0),
+        (f"v{number}", offset, 0.0, scale),
+        (f"du{number}", 0.0, NOTHING, 0.0),  # the fine part starts again
+        (f"dv{number}", 0.0, 0.0, NOTHING),
+    )
+    return Handle((at[0], at[1]), moves, ROLES[number - 1])
 
 
 def _names(pointed: Pointed, small: Floats, size: tuple[int, int]) -> tuple[Label, ...]:
@@ -141,30 +148,37 @@ def _names(pointed: Pointed, small: Floats, size: tuple[int, int]) -> tuple[Labe
 
 def _close_up(pointed: Pointed, which: int, near: Floats, place: Floats) -> Picture:
     """Return a mark magnified; it is gripped beside the mark, so that nothing is hidden."""
-    i, role = which + 1, ROLES[which]
-    at = MAGNIFIED * (place - near + REACH + 0.5) - 0.5
+    name, role = pointed.names[which], ROLES[which]
+    at = _in_close_up(place, near)
     grip = at + GRIP * np.where(at + GRIP < CLOSE - 8, 1, -1)
-    offset = at - grip
-    back = [(offset[k] + 0.5) / MAGNIFIED - REACH - 0.5 for k in (0, 1)]
-    moves = ((f"du{i}", back[0], 1 / MAGNIFIED, 0.0), (f"dv{i}", back[1], 0.0, 1 / MAGNIFIED))
-    cross = np.full((11, 2), np.nan)
-    for k, step in enumerate(((1, 0), (-1, 0), (0, 1), (0, -1))):
-        cross[3 * k if k < 3 else 9] = at + 3 * np.array(step)
-        cross[3 * k + 1 if k < 3 else 10] = at + 30 * np.array(step)
-    guides = [MAGNIFIED * (np.asarray(g, float) - near + REACH + 0.5) - 0.5 for g in pointed.guides]
+    back = (at - grip + 0.5) / MAGNIFIED - REACH - 0.5
+    moves = (
+        (f"du{which + 1}", float(back[0]), 1 / MAGNIFIED, 0.0),
+        (f"dv{which + 1}", float(back[1]), 0.0, 1 / MAGNIFIED),
+    )
+    guides = [_in_close_up(np.asarray(g, float), near) for g in pointed.guides]
     return Picture(
-        f"{pointed.names[which][0].upper() + pointed.names[which][1:]}, magnified",
-        f"{2 * REACH} × {2 * REACH} px around {pointed.names[which]}, magnified "
-        f"{MAGNIFIED:g} times; a cross at ({place[0]:.1f}, {place[1]:.1f}) px.",
+        f"{_capital(name)}, magnified",
+        f"{2 * REACH} × {2 * REACH} px around {name}, magnified {MAGNIFIED:g} times; a cross at "
+        f"({place[0]:.1f}, {place[1]:.1f}) px.",
         (CLOSE, CLOSE),
         _magnified(pointed.photograph, near),
         lines=(
             *(Line(guide, "second", 1.5, dashed=True) for guide in guides),
-            Line(cross, role, 2.0),
+            Line(at + CROSS, role, 2.0),
             Line([at + 6 * np.sign(grip - at), grip], role, 1.0),
         ),
         handles=(Handle((float(grip[0]), float(grip[1])), moves, role),),
     )
+
+
+def _in_close_up(pixels: Floats, near: Floats) -> Floats:
+    """Return where pixels of the photograph are in the close-up around `near`."""
+    return np.asarray(MAGNIFIED * (pixels - near + REACH + 0.5) - 0.5)
+
+
+def _capital(name: str) -> str:
+    return name[0].upper() + name[1:]
 
 
 def _magnified(photograph: Pixels, near: Floats) -> Pixels:

@@ -33,14 +33,17 @@ def contributions(lengths: Mapping[str, Mapping[str, float]]) -> Figure:
     for ax, (name, parts) in zip(grid[0], lengths.items(), strict=True):
         bars(ax, parts)
         ax.set_title(name, fontsize=10)
+    most = max(float(np.hypot.reduce(list(parts.values()))) for parts in lengths.values())
+    grid[0, 0].set_xlim(0, 1.28 * most)
     return fig
 
 
 def bars(ax: Axes, parts: Mapping[str, float]) -> None:
-    """Draw the parts of one length's uncertainty, and all of them together."""
-    values = [*parts.values(), float(np.hypot.reduce(list(parts.values())))]
-    names = [*parts, "together"]
-    colours = [ROLES["camera"]] * len(parts) + [ROLES["object"]]
+    """Draw the parts of one length's uncertainty that there are, and all of them together."""
+    some = {name: value for name, value in parts.items() if value > 0}
+    values = [*some.values(), float(np.hypot.reduce(list(parts.values())))]
+    names = [*some, "together"]
+    colours = [ROLES["camera"]] * len(some) + [ROLES["object"]]
     places = np.arange(len(names))[::-1]
     ax.barh(places, values, color=colours, height=0.6)
     ax.set_yticks(places, names)
@@ -83,4 +86,36 @@ def ruler_and_camera(
     ax.axvline(0, color=GREY, lw=1)
     ax.set_yticks(rows, names)
     ax.set(xlabel="from the ruler's value (mm); grey: the ruler's ±", ylim=(-0.6, len(names) - 0.4))
+    return fig
+
+
+@figure("How far each length is from the truth, with its interval of 95 %; few do not reach zero.")
+def off_by(names: Sequence[str], off: Sequence[float], plus_minus: Sequence[float]) -> Figure:
+    """Show whether intervals hold the truth as often as they should.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the measurements, several may share one.
+    off : sequence of float
+        Measured minus true, mm.
+    plus_minus : sequence of float
+        Half the width of the intervals, mm.
+
+    Returns
+    -------
+    Figure
+        Those that do not hold the truth have another colour and a square.
+    """
+    fig, ax = panels(1, 1, (FULL_WIDTH, 3.2))
+    places = {name: k for k, name in enumerate(dict.fromkeys(names))}
+    seen: dict[str, int] = {}
+    for name, error, around in zip(names, off, plus_minus, strict=True):
+        x = places[name] + 0.3 * seen.get(name, 0) - 0.15
+        seen[name] = seen.get(name, 0) + 1
+        role, marker = ("camera", "o") if abs(error) <= around else ("object", "s")
+        ax.errorbar(x, error, yerr=around, fmt=marker, ms=4, color=ROLES[role], capsize=3, lw=1.3)
+    ax.axhline(0, color=GREY, lw=1)
+    ax.set_xticks(list(places.values()), list(places))
+    ax.set(xlabel="pair that was held out (number)", ylabel="from the truth (mm)")
     return fig

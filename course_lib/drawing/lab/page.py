@@ -26,7 +26,7 @@ class Length:
 
     Attributes
     ----------
-    name, text : str
+    text : str
         What it is, and its value with interval.
     parts : dict of str to float
         Standard deviation from each source, mm.
@@ -34,7 +34,6 @@ class Length:
         Cuttings of the photographs, RGB, with both ends in each, shape (2, 2), px of the cutting.
     """
 
-    name: str
     text: str
     parts: dict[str, float]
     pictures: tuple[tuple[Pixels, NDArray[np.float64]], ...]
@@ -89,7 +88,7 @@ def _row(part: object, length: Length) -> None:
     for ax, (picture, ends) in zip(axes[:-1], length.pictures, strict=True):
         _cutting(ax, picture, ends)
     bars(axes[-1], length.parts)
-    part.suptitle(f"{length.name}: {length.text}", x=0.02, ha="left", fontsize=9)  # type: ignore[attr-defined]
+    part.suptitle(length.text, x=0.02, ha="left", fontsize=9)  # type: ignore[attr-defined]
 
 
 def _cutting(ax: Axes, picture: Pixels, ends: NDArray[np.float64]) -> None:

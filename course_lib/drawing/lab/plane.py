@@ -44,7 +44,7 @@ def ray_and_plane() -> Figure:
     stroke(ax, [(0, HIGH), (AT, THING)], "ray")
     stroke(ax, [(AT, THING), (end, 0)], "ray", ls="--")
     ax.plot(0, HIGH, "o", color=ROLES["camera"], ms=8)
-    write(ax, (-0.2, HIGH), "camera C", "camera", ha="right", fontsize=10)
+    write(ax, (0.25, HIGH), "camera C", "camera", ha="left", fontsize=10)
     ax.plot(AT, THING, "o", color=ROLES["object"], ms=7)
     write(ax, (AT + 0.2, THING + 0.15), "what was pointed at", "object", ha="left", fontsize=9)
     ax.plot(end, 0, "o", mfc="white", mec=ROLES["object"], ms=7)
@@ -94,7 +94,7 @@ def from_above(
         (x, y), (x2, y2) = np.asarray(ends, float)
         ax.plot([x, x2], [y, y2], "-", color="white", lw=4)
         ax.plot([x, x2], [y, y2], "o-", color=ROLES["object"], lw=2, ms=4)
-        at = ((x + x2) / 2, max(y, y2) + 0.06 * (bottom - top))
+        at = ((x + x2) / 2, min(y, y2) - 0.06 * (bottom - top))
         write(ax, at, text, fontsize=10, bbox={"facecolor": "white", "edgecolor": "none", "pad": 2})
     ax.set(xlabel="x (mm)", ylabel="y (mm)", xlim=(left, right), ylim=(bottom, top))
     return fig

@@ -115,11 +115,13 @@ def covered(views: Sequence[ArrayLike], size: tuple[int, int], corners: Sequence
         if len(points) > max(corners):
             ax.fill(*points[list(corners)].T, fill=False, ec=ROLES["camera"], lw=0.7, alpha=0.6)
     picture_frame(ax, size)
-    ax.set_title(f"{(counts > 0).sum()} of {counts.size} fields have corners", fontsize=10)
+    ax.set_title(
+        f"{(counts > 0).sum()} of {counts.size} fields have corners (grey: none)", fontsize=10
+    )
     return fig
 
 
-@figure("How far the lens moves each place of the picture, as arrows drawn longer than they are.")
+@figure("How far the lens moves each place of the picture, as lines drawn longer than they are.")
 def lens_bend(K: ArrayLike, coefficients: ArrayLike, size: tuple[int, int]) -> Figure:
     """Show what is undone when a photograph is straightened.
 
@@ -133,28 +135,26 @@ def lens_bend(K: ArrayLike, coefficients: ArrayLike, size: tuple[int, int]) -> F
     Returns
     -------
     Figure
-        Arrows from where a pinhole would show a place to where it is; the longest is named.
+        Lines from where a pinhole would show a place (dots) to where it is.
     """
-    pixels = pixel_grid(size, 17, 13).reshape(-1, 2)
+    pixels = pixel_grid(size, 17, 13)[1:-1, 1:-1].reshape(-1, 2)
     moved = displacement_field(pixels, K, coefficients)
     fig, ax = panels(1, 1, (FULL_WIDTH * 0.72, FULL_WIDTH * 0.72 * size[1] / size[0] + 0.3))
-    longest, far = _arrows(ax, pixels, moved, size)
+    longest, far = _moves(ax, pixels, moved, size)
     picture_frame(ax, size)
-    ax.set_title(f"arrows {far:g} times as long; the longest is {longest:.1f} px", fontsize=10)
+    ax.set_title(f"{far:g} times as long as they are; the longest is {longest:.1f} px", fontsize=10)
     return fig
 
 
-def _arrows(ax: Axes, pixels: Floats, moved: Floats, size: tuple[int, int]) -> tuple[float, float]:
-    """Draw arrows; return the longest one's length, px, and how many times longer they are."""
+def _moves(ax: Axes, pixels: Floats, moved: Floats, size: tuple[int, int]) -> tuple[float, float]:
+    """Draw moves as lines; return the longest one, px, and how many times longer they are drawn."""
     lengths = np.linalg.norm(moved, axis=1)
     longest = float(np.nanmax(lengths))
     wanted = 0.05 * size[0] / max(longest, 1e-9)
     power = 10.0 ** np.floor(np.log10(wanted))
     far = float(max(step * power for step in (1, 2, 5) if step * power <= wanted))
-    ends = pixels + far * moved
-    for start, end in zip(pixels, ends, strict=True):
-        ax.annotate(
-            "", end, start, arrowprops={"arrowstyle": "->", "color": ROLES["camera"], "lw": 0.9}
-        )
+    lines = np.stack([pixels, pixels + far * moved], axis=1)
+    for line in lines:
+        ax.plot(*line.T, "-", color=ROLES["camera"], lw=1.2)
     ax.plot(*pixels.T, ".", ms=2, color=GREY)
     return longest, far
