@@ -48,7 +48,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="course",
         description="For your own camera (calibrate, target), and for authors and instructors of "
-        "the camera course (build, term, grade, report).",
+        "the camera course (build, term, grade, report, export).",
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     add_calibrate_command(commands)
@@ -57,6 +57,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_term(commands)
     _add_grade(commands)
     _add_report(commands)
+    _add_export(commands)
     return parser
 
 
@@ -151,6 +152,28 @@ def _add_report(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     command.add_argument("assignments", nargs="*", metavar="NN_topic", help="all, unless named")
     command.add_argument("--term", type=Path, default=Path(), metavar="DIR", help=TERM)
     command.set_defaults(run=_report)
+
+
+def _add_export(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    command = commands.add_parser(
+        "export",
+        help="write the points as Canvas, Moodle and nbgrader read them",
+        description="Write export/canvas.csv, moodle.csv and nbgrader.csv in a term's directory.",
+    )
+    option = command.add_argument
+    option("assignments", nargs="*", metavar="NN_topic", help="all, unless named")
+    roster = "a CSV file that Canvas or Moodle exported: write the table for it, matched to it"
+    option("--roster", type=Path, metavar="FILE", help=roster)
+    missing = "what who handed nothing in gets (an empty cell)"
+    option("--missing", type=float, metavar="POINTS", help=missing)
+    option("--term", type=Path, default=Path(), metavar="DIR", help=TERM)
+    command.set_defaults(run=_export)
+
+
+def _export(options: argparse.Namespace) -> int:
+    from course_lib.grading.export import export
+
+    return export(options)
 
 
 def _report(options: argparse.Namespace) -> int:

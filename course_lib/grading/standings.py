@@ -62,6 +62,8 @@ class Standing:
         Points lost for being late.
     seconds_late : float
         How late.
+    timestamp : str
+        When it was handed in, as nbgrader writes it.
     comments : mapping of str to str
         What a person wrote, by label.
     handed_in : bool
@@ -79,6 +81,7 @@ class Standing:
     waiting: tuple[str, ...] = ()
     penalty: float = 0.0
     seconds_late: float = 0.0
+    timestamp: str = ""
     comments: Mapping[str, str] = field(default_factory=dict)
     handed_in: bool = False
     record: Mapping[str, Any] = field(default_factory=dict)
@@ -96,7 +99,12 @@ class Standing:
     @property
     def score(self) -> float:
         """Points of all items without the penalty, as nbgrader counts them: never below 0."""
-        return max(0.0, sum(p or 0.0 for p in self.points.values()) - self.penalty)
+        return max(0.0, self.score_without_penalty - self.penalty)
+
+    @property
+    def score_without_penalty(self) -> float:
+        """Points of all items."""
+        return sum(p or 0.0 for p in self.points.values())
 
     @property
     def full_name(self) -> str:
@@ -106,11 +114,12 @@ class Standing:
 
 @dataclass(frozen=True)
 class Standings:
-    """What a class has in an assignment."""
+    """What a class has in an assignment, and when that was due."""
 
     assignment: Assignment
     items: tuple[Item, ...]
     students: tuple[Standing, ...]
+    due: str = ""
 
     @property
     def possible(self) -> float:
@@ -138,7 +147,8 @@ def read_standings(assignment: Assignment) -> Standings:
     """
     where = (assignment.db_url, assignment.course_id)
     with reachable(), Gradebook(*where) as gradebook:
-        items = _items(gradebook.find_assignment(assignment.name), assignment)
+        entry = gradebook.find_assignment(assignment.name)
+        items, due = _items(entry, assignment), str(entry.duedate or "")
         found = gradebook.assignment_submissions(assignment.name)
         submissions = {s.student_id: s for s in found}
         people = {person.id: person for person in gradebook.students}
@@ -147,7 +157,7 @@ def read_standings(assignment: Assignment) -> Standings:
             _standing(name, people.get(name), submissions.get(name), items, assignment)
             for name in names
         ]
-    return Standings(assignment, items, tuple(students))
+    return Standings(assignment, items, tuple(students), due)
 
 
 def assignment_names(term: Path) -> list[str]:
@@ -189,6 +199,7 @@ def _standing(
         waiting=tuple(i.name for i, g in mine if done and g.needs_manual_grade),
         penalty=float(submission.late_submission_penalty or 0.0),
         seconds_late=float(submission.total_seconds_late),
+        timestamp=str(submission.timestamp or ""),
         comments=_comments(submission),
         handed_in=True,
     )
