@@ -33,7 +33,7 @@ GROUND_SAMPLE_DISTANCE = Exercise(
         Misconception(
             wrong.pitch_upside_down,
             "With a longer lens a pixel covers less. Does it in your answer?",
-            also=[wrong.plain_pitch_upside_down],
+            also=[wrong.plain_pitch_upside_down, wrong.pitch_upside_down_by_1000],
         ),
         Misconception(
             wrong.pixels_per_metre,

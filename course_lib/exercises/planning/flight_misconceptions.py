@@ -38,6 +38,10 @@ def plain_pitch_upside_down(H, f_mm, pitch_um):
     return H * f_mm / pitch_um
 
 
+def pitch_upside_down_by_1000(H, f_mm, pitch_um):
+    return H * f_mm / pitch_um * 1e-3
+
+
 def pixels_per_metre(H, f_mm, pitch_um):
     return f_mm * 1e3 / (H * pitch_um)
 
