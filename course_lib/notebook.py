@@ -29,6 +29,13 @@ from course_lib.judging.text import to_text
 PATIENCE = 3.0
 
 
+class _Points(float):
+    """The points that a grade cell ends in; Jupyter need not write what the block has said."""
+
+    def _repr_html_(self) -> str:
+        return ""
+
+
 class _UnusableError(TypeError):
     """A result that no figure can use; the text goes on after the function's name."""
 
@@ -46,7 +53,7 @@ def check(name: str, namespace: Mapping[str, Any] | None = None) -> float:
     Returns
     -------
     float
-        Points earned: a plain float, because that is what a grade cell must end in.
+        Points earned: a number, because that is what a grade cell must end in.
 
     Raises
     ------
@@ -64,7 +71,7 @@ def check(name: str, namespace: Mapping[str, Any] | None = None) -> float:
         print(_wrapped(to_text(verdict)), file=sys.stderr)
     else:
         show_block(to_html(verdict), to_text(verdict))
-    return float(verdict.points)
+    return _Points(verdict.points)
 
 
 def attempt(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:

@@ -142,13 +142,14 @@ def test_the_package_offers_it() -> None:
     assert course_lib.attempt is attempt
 
 
-def test_check_shows_the_verdict_and_returns_a_plain_float(capsys):
+def test_check_shows_the_verdict_and_returns_a_number_that_is_not_repeated(shell, capsys):
     def half(image_size):
         return np.array(image_size) / 2
 
     points = check("welcome.image_centre", {"image_centre": half})
-    assert type(points) is float
-    assert points == 0
+    assert points == 0.0
+    found, _ = shell.display_formatter.format(points)
+    assert found == {"text/plain": "0.0", "text/html": ""}  # nbgrader reads the first
     text = capsys.readouterr().out
     assert "0 of 2 points" in text
     assert "Hint: A picture 3 pixels wide" in text

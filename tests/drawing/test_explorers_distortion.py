@@ -236,7 +236,7 @@ def test_still_names_the_coefficients_that_are_not_zero():
     assert "All sliders at zero" in explorer._repr_mimebundle_()[0]["text/plain"]
     explorer.set(k1=-0.3, s4=0.02)
     words = explorer._repr_mimebundle_()[0]["text/plain"]
-    assert "Radial k₁: -0.30, Prism s₄: 0.020\n" in words
+    assert "Radial: k₁ = -0.30; Prism: s₄ = 0.020\n" in words
 
 
 def chord(points):
