@@ -4,9 +4,12 @@ import importlib
 import inspect
 import pkgutil
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib import get_data_path
+from PIL import ImageFont
 
 from course_lib import widgets
 from course_lib.widgets.controls import Choice, Slider
@@ -28,6 +31,9 @@ def makers():
     }
 
 
+#: Letters as large as the browser's, which has 9 px for 10 of a picture on a laptop.
+LETTERS = ImageFont.truetype(Path(get_data_path(), "fonts/ttf/DejaVuSans.ttf"), 12)
+NARROWED = 0.9
 MAKERS = makers()
 MAKERS["distortion_explorer, twelve"] = partial(MAKERS["distortion_explorer"], twelve=True)
 
@@ -82,6 +88,8 @@ def test_whatever_its_state_it_can_be_drawn_and_put_into_words(explorer):
             for label in picture.labels:
                 at = np.array(label.at)
                 assert ((at >= 0) & (at <= picture.size)).all(), (explorer.state, label)
+                # The browser moves a word inwards, where it has room.
+                assert LETTERS.getlength(label.text) <= NARROWED * picture.size[0], label
     assert all(len(set(words)) > 1 for words in zip(*said, strict=True)), "the words never change"
 
 

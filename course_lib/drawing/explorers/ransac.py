@@ -22,7 +22,7 @@ NOISE = 0.3  # px, of each coordinate of a right pair
 CONFIDENCE = 0.99
 MANY = 1_000_000  # draws: more than anybody makes
 HALF = np.array([0.0, 1.5])  # px: half of a tick of the history
-PLOT = Plot((40, 290, 26, 218), (0, MOST), (0, PAIRS))
+PLOT = Plot((40, 284, 26, 218), (0, MOST), (0, PAIRS))
 
 
 @dataclass(frozen=True, eq=False)
