@@ -111,6 +111,7 @@ def make_term(term: Term, root: Path) -> None:
         "course_id": term.course_id,
         "exchange": str(term.exchange),
         "key_name": KEY_NAME,
+        "scores": f"the database `{term.gradebook}`" if term.gradebook else "`gradebook.db`",
         "database": f"c.CourseDirectory.db_url = {term.gradebook!r}\n" if term.gradebook else "",
         "chapters": ", ".join(f"`{name}`" for name in term.chapters),
         "first": next((c for c in term.chapters if c not in NOT_GRADED), term.chapters[0]),

@@ -135,25 +135,6 @@ def records(term):
 HONEST = ("right", "rewritten", "half-done", "misconception-2", "misconception-5", "copied-out")
 
 
-def test_a_killed_run_is_continued_and_ends_as_if_nothing_had_been(new_term, submissions):
-    plain, killed = new_term("plain", HONEST), new_term("killed", HONEST)
-    assert run("course", "grade", ASSIGNMENT, cwd=plain).returncode == 0
-    for after in (1, 4):
-        process, limit = start(killed, "--workers", "1"), time.monotonic() + PATIENCE
-        while len(records(killed)) < after and process.poll() is None:
-            assert time.monotonic() < limit
-            time.sleep(0.01)
-        process.send_signal(signal.SIGKILL)
-        process.communicate()
-    done = run("course", "grade", ASSIGNMENT, cwd=killed)
-    assert done.returncode == 0, done.stderr
-    assert scores(killed) == scores(plain)
-    for student in HONEST:
-        folders = [term / "autograded" / student for term in (plain, killed)]
-        names = [sorted(path.name for path in folder.rglob("*")) for folder in folders]
-        assert names[0] == names[1]
-
-
 def test_a_killed_worker_costs_nothing(new_term):
     term = new_term("worker", HONEST[:4])
     process, limit = start(term, "--workers", "2"), time.monotonic() + PATIENCE

@@ -157,6 +157,7 @@ def test_a_term_names_its_database_without_a_password(tmp_path):
     expected = "postgresql+psycopg://teacher@db.example.org:5433/camera_2026"
     assert f"c.CourseDirectory.db_url = '{expected}'\n" in config
     assert make_url(expected).drivername == DRIVER
+    assert f"the database `{expected}`" in (tmp_path / "term/README.md").read_text()
 
 
 @pytest.mark.parametrize(
