@@ -11,6 +11,7 @@ import course_lib
 from course_lib.calibrating import add_calibrate_command, add_target_command
 
 TERM = "the term's directory"
+NO_WINDOWS = "grading needs Linux or macOS; on Windows, use WSL"
 
 
 class UsageError(Exception):
@@ -48,7 +49,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="course",
         description="For your own camera (calibrate, target), and for authors and instructors of "
-        "the camera course (build, term, grade, report, export).",
+        "the camera course (build, term, grade, report, export, demo).",
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     add_calibrate_command(commands)
@@ -58,6 +59,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_grade(commands)
     _add_report(commands)
     _add_export(commands)
+    _add_demo(commands)
     return parser
 
 
@@ -176,6 +178,28 @@ def _export(options: argparse.Namespace) -> int:
     return export(options)
 
 
+def _add_demo(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    command = commands.add_parser(
+        "demo",
+        help="show all of this on a simulated class, in about a minute",
+        description="Make a term, let a simulated class hand in, grade, report and export.",
+    )
+    option = command.add_argument
+    option("directory", nargs="?", type=Path, metavar="DIR", help="a new folder (a temporary one)")
+    option("--chapter", default="01_pinhole", metavar="NN_topic", help="which (01_pinhole)")
+    option("--students", type=_number, default=30, metavar="N", help="how many, 8 to 30 (30)")
+    option("--isolation", choices=["bubblewrap", "none"], help="as in course grade")
+    command.set_defaults(run=_demo)
+
+
+def _demo(options: argparse.Namespace) -> int:
+    if sys.platform == "win32":
+        raise UsageError(NO_WINDOWS)
+    from course_lib.grading.demo import demo
+
+    return demo(options)
+
+
 def _report(options: argparse.Namespace) -> int:
     from course_lib.grading.report import report
 
@@ -191,7 +215,7 @@ def _number(text: str) -> int:
 
 def _grade(options: argparse.Namespace) -> int:
     if sys.platform == "win32":
-        raise UsageError("grading needs Linux or macOS; on Windows, use WSL")
+        raise UsageError(NO_WINDOWS)
     from course_lib.grading.command import grade
 
     return grade(options)

@@ -70,6 +70,11 @@ class Member:
     copied_from: str = ""
     timestamp: str = TIMESTAMP
 
+    @property
+    def is_late(self) -> bool:
+        """Whether it came after all others."""
+        return self.timestamp == LATE
+
 
 def everyday_class(released: NotebookNode, chapter: str, size: int, rng: Generator) -> list[Member]:
     """Make a class: one student copies another, one is late, one file damaged, one missing.

@@ -90,6 +90,7 @@ MAY_IMPORT = {
         "course_lib.page",
         "course_lib.sandbox",
         "data_generators",
+        "data_generators.classes",
         "course_lib.judging",
         "course_lib.exercises",
         "course_lib.notebook",
