@@ -17,6 +17,7 @@ LOCKS = {"run": "requirements.lock", "test": "requirements-test.lock"}
 PROJECT = (
     "pyproject.toml",
     "course_lib/starting/lab_settings.json",
+    "course_lib/widgets/export_config.json",
     "course_lib/widgets/server_config.json",
 )
 # What tells pip where packages come from is the user's; what tells it where to put them, ours.
