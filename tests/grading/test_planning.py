@@ -73,3 +73,11 @@ def test_all_is_run_and_drawn_if_a_person_must_grade_code():
     planned, sources = ran(drawn)
     assert planned.draws
     assert sources == [SETUP, *GIVEN, "plot()"]
+
+
+def test_a_report_is_always_shown_and_nothing_else_is_run_for_it():
+    report = labelled("show_report()", grade_id="report", locked=True)
+    planned, sources = ran(report)
+    assert planned.draws
+    assert sources == [SETUP.replace("\ndraw.holes()", ""), "show_report()"]
+    assert not ran()[0].draws

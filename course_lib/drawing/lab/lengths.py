@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from course_lib.drawing.diagrams import figure, panels
 from course_lib.drawing.style import FULL_WIDTH, GREY, ROLES
@@ -46,11 +47,19 @@ def bars(ax: Axes, parts: Mapping[str, float]) -> None:
     colours = [ROLES["camera"]] * len(some) + [ROLES["object"]]
     places = np.arange(len(names))[::-1]
     ax.barh(places, values, color=colours, height=0.6)
-    ax.set_yticks(places, names)
+    name_rows(ax, places, names)
     for place, value in zip(places, values, strict=True):
         ax.text(value + 0.02 * max(values), place, f"{value:.3f}", va="center", fontsize=8)
     ax.set(xlabel="standard deviation (mm)", xlim=(0, 1.28 * max(values)))
-    ax.tick_params(axis="y", length=0)
+
+
+def name_rows(ax: Axes, rows: NDArray[np.int_], names: Sequence[str]) -> None:
+    """Write what each row is, to the left of it."""
+    ax.set_yticks([])
+    for row, name in zip(rows.tolist(), names, strict=True):
+        look: dict[str, Any] = {"textcoords": "offset points", "ha": "right", "va": "center"}
+        at = ax.get_yaxis_transform()
+        ax.annotate(name, (0, row), (-5, 0), xycoords=at, fontsize=10, **look)
 
 
 @figure(
@@ -84,7 +93,7 @@ def ruler_and_camera(
         ax.fill_between([-other, other], row - 0.3, row + 0.3, color=GREY, alpha=0.3, lw=0)
         ax.errorbar(difference, row, xerr=mine, fmt="o", color=ROLES["camera"], capsize=4)
     ax.axvline(0, color=GREY, lw=1)
-    ax.set_yticks(rows, names)
+    name_rows(ax, rows, names)
     ax.set(xlabel="from the ruler's value (mm); grey: the ruler's ±", ylim=(-0.6, len(names) - 0.4))
     return fig
 

@@ -1,0 +1,125 @@
+"""Pointing: the marks are where the frame says, in the whole photograph and in the close-ups."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from course_lib.drawing.explorers.pointing import CLOSE, MAGNIFIED, REACH, marks
+from course_lib.measuring import Measured
+from course_lib.widgets.lab import pointer
+
+RNG = np.random.default_rng(2)
+PHOTOGRAPH = RNG.integers(0, 256, (600, 800, 3), np.uint8)
+SHOT = SimpleNamespace(photograph=PHOTOGRAPH)
+START = [(100.0, 80.5), (300.2, 310.0)]
+
+
+def length(ends):
+    if np.allclose(*ends):
+        raise ValueError("both points are the same: point at two different ones")
+    return Measured(float(np.linalg.norm(ends[1] - ends[0])), {"pointing": 0.5})
+
+
+@pytest.fixture
+def explorer():
+    return pointer(SHOT, ("left end", "right end"), START, length, [[(0, 0), (800, 600)]])
+
+
+def test_it_starts_where_it_is_told(explorer):
+    np.testing.assert_allclose(explorer.ends, START)
+    said = [r.value for r in explorer.frame_now().readouts]
+    assert said[:2] == ["100.0, 80.5", "300.2, 310.0"]
+    assert said[-1] == "304.55 ± 0.98"
+
+
+def test_without_a_start_the_marks_are_in_the_middle():
+    np.testing.assert_allclose(pointer(SHOT).ends, [(320, 300), (480, 300)])
+
+
+def test_a_start_outside_is_moved_into_the_photograph():
+    ends = pointer(SHOT, start=[(-50, 3000), (1e6, 5)]).ends
+    assert (ends > -REACH - 1).all()
+    assert (ends < (799 + REACH + 1, 599 + REACH + 1)).all()
+
+
+def test_a_spot_of_the_whole_photograph_is_at_its_mark(explorer):
+    explorer.set(du1=7.3, dv2=-4.1)
+    whole = explorer.frame_now().pictures[0]
+    assert whole.size == (480, 360)
+    scale = 800 / 480
+    for handle, end in zip(whole.handles, explorer.ends, strict=True):
+        np.testing.assert_allclose((np.array(handle.at) + 0.5) * scale - 0.5, end)
+        moved = {name: a + b * handle.at[0] + c * handle.at[1] for name, a, b, c in handle.moves}
+        explorer.set(**moved)  # a spot that is pressed and not moved
+    np.testing.assert_allclose(explorer.ends, [(107, 80), (300, 306)], atol=0.51)
+    assert explorer.state["du1"] == explorer.state["dv2"] == 0
+
+
+@pytest.mark.parametrize("which", [1, 2])
+def test_a_close_up_is_gripped_beside_its_mark(explorer, which):
+    for step in (0.0, 9.5, 19.9, -20.0):
+        explorer.set(**{f"du{which}": step, f"dv{which}": -step})
+        before = explorer.ends
+        (handle,) = explorer.frame_now().pictures[which].handles
+        assert 0 <= min(handle.at) <= max(handle.at) < CLOSE
+        for name, a, b, c in handle.moves:  # drag it by three pixels of the photograph
+            to = np.array(handle.at) + 3 * MAGNIFIED * (-1 if step > 10 else 1)
+            value = a + b * to[0] + c * to[1]
+            explorer.set(**{name: value})
+        moved = explorer.ends[which - 1] - before[which - 1]
+        wanted = -3 if step > 10 else 3
+        inside = np.abs(before[which - 1] + wanted - [explorer.state[f"{c}{which}"] for c in "uv"])
+        np.testing.assert_allclose(moved[inside <= REACH], wanted, atol=0.06)
+
+
+def test_a_close_up_shows_the_pixels_around_its_mark(explorer):
+    close = explorer.frame_now().pictures[1].image
+    step = int(MAGNIFIED)
+    centre = close[REACH * step + step // 2, REACH * step + step // 2]
+    u, v = (int(explorer.state[c]) for c in ("u1", "v1"))
+    np.testing.assert_array_equal(centre, PHOTOGRAPH[v, u])
+    np.testing.assert_array_equal(close[2, 2], PHOTOGRAPH[v - REACH, u - REACH])
+
+
+def test_beyond_the_edge_a_close_up_is_grey(explorer):
+    explorer.set(u1=0, v1=0)
+    close = explorer.frame_now().pictures[1].image
+    assert (close[: REACH * 6 - 1] == 118).all()
+    np.testing.assert_array_equal(close[REACH * 6 + 2, REACH * 6 + 2], PHOTOGRAPH[0, 0])
+
+
+def test_the_cross_is_where_the_mark_is(explorer):
+    explorer.set(du1=2.0, dv1=-3.0)
+    lines = explorer.frame_now().pictures[1].lines
+    cross = next(np.asarray(x.points) for x in lines if np.isnan(np.asarray(x.points)).any())
+    at = np.nanmean(cross, axis=0)
+    np.testing.assert_allclose((at + 0.5) / MAGNIFIED - 0.5 - REACH, (2.0, -3.0))
+
+
+def test_a_guide_is_drawn_in_all_pictures(explorer):
+    for picture in explorer.frame_now().pictures:
+        dashed = [np.asarray(line.points) for line in picture.lines if line.dashed]
+        assert len(dashed) == 1
+    (whole,) = (np.asarray(x.points) for x in explorer.frame_now().pictures[0].lines if x.dashed)
+    np.testing.assert_allclose(whole, (np.array([(0, 0), (800, 600)]) + 0.5) * 0.6 - 0.5)
+
+
+def test_marks_on_one_place_say_why_there_is_no_length(explorer):
+    explorer.set(u1=300, v1=310, du1=0, dv1=0, u2=300, v2=310, du2=0, dv2=0)
+    last = explorer.frame_now().readouts[-1]
+    assert (last.label, last.value) == ("No length", "both points are the same")
+
+
+def test_a_phones_photograph_has_a_thousand_places_to_a_slider():
+    large = SimpleNamespace(photograph=np.zeros((3000, 4000, 3), np.uint8))
+    explorer = pointer(large, start=[(3999, 2999), (2001.3, 17.7)])
+    assert len(explorer._controls["u1"].positions) == 1000
+    np.testing.assert_allclose(explorer.ends, [(3999, 2999), (2001.3, 17.7)])
+    np.testing.assert_allclose(marks(explorer.state), explorer.ends)
+
+
+def test_a_still_says_the_same_in_words(explorer):
+    data, _ = explorer._repr_mimebundle_()
+    assert "left end is marked at (100.0, 80.5) px" in data["text/plain"]
+    assert data["text/html"].startswith('<img alt="')

@@ -1,0 +1,112 @@
+"""A reader's photographs: what is said of them, and lengths whose truth is known."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from course_lib import lab
+from course_lib.boards import Checkerboard
+from course_lib.lab import photographs, supplied
+from course_lib.measuring import distance_in_space, distance_on_plane, rays_miss
+from data_generators import desk
+
+K = desk.intrinsics((640, 480))
+
+
+def truth(aim, points):
+    """Return where points are in a photograph of 640 × 480 px."""
+    R, t = desk.pose_towards(*aim)
+    view = desk.DeskView(np.zeros((1, 1, 3), np.uint8), desk.Camera(K, R, t, (640, 480)))
+    return view.project(points)
+
+
+@pytest.fixture
+def no_supplied(monkeypatch, folder):
+    """Let the reader's photographs be the supplied ones, which take longer to make."""
+    paths = tuple(sorted(folder.glob("t?.jpg")))[:5]
+    monkeypatch.setattr(photographs, "supplied_photographs", lambda: paths)
+    return paths
+
+
+def test_the_camera_comes_from_the_others(work):
+    assert {photo.name for photo in work.solved.views} == {f"t{n}.jpg" for n in range(7)}
+    assert work.own
+    np.testing.assert_allclose(work.camera.K, K, atol=0.5)
+
+
+def test_a_torn_photograph_is_named_with_its_reason(work):
+    (torn,) = (photo for photo in work.photos if photo.name == "torn.jpg")
+    assert not torn.used
+    assert "copy it again" in torn.verdict
+
+
+def test_a_length_on_the_plane_is_right(work):
+    shot = lab.shot(work, "m1.jpg", unevenness=0.1)
+    assert shot.photograph.shape == (480, 640, 3)
+    ends = truth(supplied.MEASURING_AIMS[0], desk.card_corners()[:2])
+    length = distance_on_plane(*ends, shot.view, 0.5, 0.001, height=desk.CARD[2])
+    assert length.value == pytest.approx(desk.CARD[0], abs=0.05)
+    assert length.parts["target"] > 0.1  # unevenness counts
+
+
+def test_a_length_in_space_is_right(work):
+    shots = [lab.shot(work, name) for name in ("m2.jpg", "m3.jpg")]
+    lid = desk.box_corners()[4:6]
+    pixels = np.stack([truth(aim, lid) for aim in supplied.MEASURING_AIMS[1:]])
+    views = [shot.view for shot in shots]
+    assert distance_in_space(*pixels.swapaxes(0, 1), views).value == pytest.approx(120, abs=0.1)
+    assert rays_miss(pixels, views) < 0.05
+
+
+def test_without_photographs_the_supplied_ones_take_their_place(capsys, tmp_path, no_supplied):
+    for place in (tmp_path / "nowhere", tmp_path):
+        work = lab.look("mine", place, desk.TARGET)
+        said = capsys.readouterr().out
+        assert not work.own
+        assert "The supplied photographs take their place." in said
+        assert said.startswith(("There is no folder", "No photographs in"))
+    assert len(work.photos) == len(no_supplied)
+
+
+def test_too_few_photographs_are_counted(capsys, tmp_path, folder, no_supplied):
+    for name in ("t1.jpg", "t2.jpg", "m1.jpg"):
+        (tmp_path / name).write_bytes((folder / name).read_bytes())
+    lab.look("mine", tmp_path, desk.TARGET, ("m1.jpg", "m9.jpg"))
+    said = capsys.readouterr().out
+    assert "2 photographs can be used to calibrate, 3 are needed" in said
+    assert "There is no m9.jpg among them" in said
+
+
+def test_another_board_is_said_not_raised(capsys, tmp_path, folder, no_supplied):
+    for name in ("t0.jpg", "t1.jpg", "t2.jpg"):
+        (tmp_path / name).write_bytes((folder / name).read_bytes())
+    assert not lab.look("mine", tmp_path, Checkerboard(8, 6, 25.0)).own
+    assert "is it --board 9x6?" in capsys.readouterr().out
+
+
+def test_another_word_means_supplied(capsys, no_supplied):
+    assert not lab.look("my own", "", desk.TARGET).own
+    assert 'photographs is "mine" or "supplied", got \'my own\'' in capsys.readouterr().out
+
+
+def test_photographs_that_tell_no_camera_are_replaced(capsys, work, no_supplied):
+    level = [p for p in work.photos if p.name in ("t0.jpg", "m1.jpg")]
+    alike = [replace(level[0], path=level[0].path.with_name(f"{n}.jpg")) for n in range(3)]
+    again = lab.calibrate(replace(work, photos=tuple(alike)))
+    assert not again.own
+    assert again.camera.rms < 0.1
+    assert "The supplied photographs take their place." in capsys.readouterr().out
+
+
+def test_a_photograph_that_cannot_be_used_is_replaced(capsys, work):
+    assert lab.shot(work, "torn.jpg").name == "m1.jpg"
+    said = capsys.readouterr().out
+    assert "torn.jpg cannot be measured in. The file is damaged" in said
+    lab.shot(work, "m7.jpg")
+    assert "There is no such file." in capsys.readouterr().out
+
+
+def test_before_it_is_calibrated_there_is_no_camera(work):
+    with pytest.raises(ValueError, match="run the cell with `calibrate` first"):
+        lab.shot(replace(work, solved=None), "m1.jpg")
