@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import partial
 from itertools import takewhile
 from typing import Any
 
@@ -96,11 +96,11 @@ def _ways(own: OwnAnswers, answers: Sequence[Answer], wrong: Sequence[int]) -> I
 
     for m in own.exercise.misconceptions:
         if m.explains:
-            yield _Way(m, cache(partial(explained, m.explains)))
+            yield _Way(m, partial(explained, m.explains))
             continue
+        compare = m.compare or own.exercise.compare
         for variant in (m.variant, *m.also):
-            compare = m.compare or own.exercise.compare
-            yield _Way(m, cache(partial(given_too, compare, variant)))
+            yield _Way(m, partial(given_too, compare, variant))
 
 
 def _alike(compare: Comparison, given: Answer, outcome: Answer) -> bool:
