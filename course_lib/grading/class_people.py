@@ -93,10 +93,14 @@ def student_table(standings: Standings) -> str:
         for k, item in enumerate(standings.items, 1)
     )
     head = f"<th>student</th><th class='number'>points</th><th class='number'>late</th>{heads}"
-    order = sorted(standings.students, key=lambda s: (s.last_name, s.first_name, s.student))
+    order = sorted(standings.students, key=_by_name)
     rows = [_student_row(student, standings) for student in order]
     key = ", ".join(f"{k} {escape(i.short_name)}" for k, i in enumerate(standings.items, 1))
     return f"<p class='run'>{key}; ? waits for a person.</p>{table(head, rows)}"
+
+
+def _by_name(student: Standing) -> tuple[str, str, str]:
+    return student.last_name.casefold(), student.first_name.casefold(), student.student
 
 
 def _student_row(student: Standing, standings: Standings) -> str:

@@ -47,16 +47,18 @@ def score_histogram(scores: Sequence[float], possible: float) -> str:
     counts, edges = np.histogram(clipped, bins=BARS, range=(0, possible))
     left, base, high, step = 50.0, 210.0, 160.0, (WIDTH - 80) / BARS
     parts, most = [], max(int(counts.max()), 1)
+    numbers = []
     for k, count in enumerate(counts):
         x, tall = left + k * step, high * count / most
         parts.append(_rectangle(x + 2, base - tall, step - 4, tall, BLUE))
-        parts.append(_text(x + step / 2, base - tall - 6, str(count)) if count else "")
+        numbers.append(_text(x + step / 2, base - tall - 8, str(count)) if count else "")
     for k, edge in enumerate(edges):
         parts.append(_text(left + k * step, base + 20, format_points(round(edge, 1))))
     middle = float(np.median(clipped))
     x = left + middle / possible * step * BARS
     dashed = f"stroke='{ORANGE}' stroke-width='2' stroke-dasharray='6 4'"
     parts.append(f"<path d='M{x:.1f} 26V{base}' {dashed}/>")
+    parts.append(f"<g class='halo'>{''.join(numbers)}</g>")
     parts.append(_text(x, 18, f"median {format_points(middle)}"))
     parts.append(f"<path d='M{left} {base}H{WIDTH - 30}' stroke='{DARK}'/>")
     parts.append(_text(WIDTH / 2, base + 42, f"points, of {format_points(possible)}"))
