@@ -72,7 +72,7 @@ def measure_real_pairs() -> list[Checked]:
     Unavailable
         If a photograph is not here and cannot be downloaded.
     """
-    left, right = (_corners(side) for side in ("left", "right"))
+    left, right = (corners(side) for side in ("left", "right"))
     points = BOARD.points()
     checked = []
     for held_out, number in enumerate(NUMBERS):
@@ -93,7 +93,7 @@ def _length(rig: StereoCalibration, one: Floats, other: Floats) -> Measured:
 
 
 @cache
-def _corners(side: str) -> tuple[Floats, ...]:
+def corners(side: str) -> tuple[Floats, ...]:
     """Return the corners of the board in all pictures of one camera."""
     import cv2
 

@@ -1,0 +1,168 @@
+"""Chapter 12: every number in its text is what its cells give with the supplied photographs."""
+
+import ast
+import os
+import re
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from lesson_text import lesson_text
+from real_data import fetched
+
+mpl.use("Agg")  # as a test has no screen
+
+from course_lib import lab
+from course_lib.calibration import calibrate, calibrate_stereo
+from course_lib.exercises import all_exercises
+from course_lib.lab.real_pairs import BOARD, MODEL, NUMBERS, SIZE, corners
+from course_lib.measuring import distance_in_space, distance_on_plane, rays_miss
+from data_generators import desk
+
+TEXT = lesson_text("12_lab")
+
+
+@pytest.fixture(scope="module")
+def cells(tmp_path_factory):
+    """Run the lesson's cells from top to bottom, but for that on real photographs."""
+    code = re.findall(r"```\{code-cell\} ipython3\n(?::tags:.*\n\n)?(.*?)```", TEXT, re.DOTALL)
+    scope, here = {"__name__": "__main__"}, Path.cwd()
+    os.chdir(tmp_path_factory.mktemp("12_lab"))
+    try:
+        for cell in (c for c in code if "measure_real_pairs" not in c):
+            exec(compile(ast.parse(cell), "cell", "exec"), scope)
+    finally:
+        os.chdir(here)
+    return scope
+
+
+def test_photographs_and_camera(cells):
+    work = cells["work"]
+    assert len(work.photos) == 17
+    assert work.measuring == (cells["plane_picture"], *cells["space_pictures"])
+    TEXT.says("Seventeen supplied photographs", "leave 0.02 px")
+    assert round(work.camera.rms, 2) == 0.02
+    assert len(work.solved.views) == 12
+    assert (work.judgement.coverage.counts > 0).sum() == 45
+    np.testing.assert_allclose(work.camera.K, desk.intrinsics((1200, 900)), atol=0.4)
+
+
+def test_the_card(cells):
+    width = cells["width"]
+    assert str(width) == "85.6 mm ± 0.9 mm (95 %)"
+    assert width.holds(lab.SUPPLIED.card)
+    TEXT.says("| 85.6 mm |", "times 1.96 | ± 0.9 mm |", "0.39 mm by pointing")
+    assert round(width.parts["pointing"], 2) == 0.39
+    assert max(width.parts, key=width.parts.get) == "pointing"
+    assert sorted(width.parts, key=width.parts.get)[-2] == "target"
+    assert width.parts["camera"] + width.parts["pose"] < 0.02
+    assert width.plus_minus == pytest.approx(1.96 * width.sigma, rel=1e-4)
+
+
+def test_one_mark_after_the_other_is_moved_by_its_sigma(cells):
+    moves = np.abs(np.round(cells["moves"], 3))
+    np.testing.assert_allclose(moves, [0.278, 0.026, 0.277, 0.006], atol=0.0011)
+    TEXT.says(r"$\sqrt{0.278^2 + 0.026^2 + 0.277^2 + 0.006^2} = 0.39$ mm")
+    assert np.linalg.norm(moves) == pytest.approx(0.39, abs=0.005)
+    together = np.linalg.norm(cells["moves"])
+    assert together == pytest.approx(cells["width"].parts["pointing"], rel=0.01)
+
+
+def test_how_well_one_points(cells):
+    TEXT.says("0.43 px: so 0.5 px")
+    assert round(cells["pointing_sigma"](cells["attempts"]), 2) == 0.43
+
+
+def test_a_forgotten_height(cells):
+    TEXT.says(r"\frac{457}{457 - 0.76} = 1.0017", "which is 0.14 mm for the card")
+    assert round(cells["height"]) == 457
+    assert round(457 / (457 - 0.76), 4) == 1.0017
+    assert round(85.6 * 0.76 / (457 - 0.76), 2) == 0.14
+    shot, ends = cells["shot"], cells["card"].ends
+    thin = distance_on_plane(*ends, shot.view, height=0.76)
+    assert cells["width"].value - thin.value == pytest.approx(0.14, abs=0.005)
+
+
+def test_the_lid_on_the_plane(cells):
+    length = cells["on_plane"](cells["lid"].ends)
+    assert str(length) == "138.2 mm ± 1.2 mm (95 %)"
+    TEXT.says("138 mm, and it says ± 1.2 mm!", r"$120\cdot 457/(457 - 60) = 138$")
+    assert round(120 * 457 / (457 - 60)) == 138
+    assert not length.holds(120)
+    lifted = distance_on_plane(*cells["lid"].ends, cells["shot"].view, height=60.0)
+    assert lifted.holds(120)
+
+
+def test_the_lid_in_space(cells):
+    assert str(cells["edge"]) == "119.9 mm ± 0.7 mm (95 %)"
+    assert cells["edge"].holds(120)
+    assert rays_miss([cells["one"].ends, cells["other"].ends], cells["views"]) < 0.5
+    assert cells["edge"].parts["pointing"] > cells["edge"].parts["target"] > 0.1
+
+
+def test_at_ten_degrees_it_is_several_times_as_large(cells):
+    from course_lib.measuring import view_of_target
+
+    camera, points = cells["work"].camera, desk.TARGET.points()
+    lid, sigmas = desk.box_corners()[4:6], []
+    for way in (5, 25.5):
+        views, pixels = [], []
+        for side in (-way, way):
+            R, t = desk.pose_towards((190, 45), 42, side * 1.5, 520, 0)
+            view = desk.DeskView(
+                np.zeros((1, 1, 3), np.uint8), desk.Camera(camera.K, R, t, (1200, 900))
+            )
+            views.append(view_of_target(points, view.project(points), camera))
+            pixels.append(view.project(lid))
+        sigmas.append(distance_in_space(*np.stack(pixels, axis=1), views).sigma)
+    assert sigmas[0] > 2 * sigmas[1]
+
+
+def test_the_worked_examples():
+    TEXT.says(r"\mathbf d = (0.1, 0, 1)", r"$\lambda = 500$ and $\mathbf X = (50, 0, 0)$")
+    C, d = np.array([0, 0, -500.0]), np.array([100 / 1000, 0, 1])
+    np.testing.assert_allclose(C - C[2] / d[2] * d, [50, 0, 0])
+    TEXT.says(r"\frac{|85.6 - 86.1|}{\sqrt{0.9^2 + 0.5^2}} = 0.49")
+    assert round(abs(85.6 - 86.1) / np.hypot(0.9, 0.5), 2) == 0.49
+
+
+def test_both_agree_with_the_truth(cells):
+    assert all(result.ratio < 1 for result in cells["results"])
+    assert cells["ruler"] == {"card": (lab.SUPPLIED.card, 0.1), "lid": (120.0, 0.1)}
+
+
+def test_real_pairs():
+    fetched("opencv_stereo/left01.jpg")
+    checked = lab.measure_real_pairs()
+    TEXT.says("Both diagonals of the board are 283.0 mm long", "25 of 26, or 96 %")
+    assert [round(c.truth, 1) for c in checked] == [283.0] * 26
+    assert sum(c.holds for c in checked) == 25
+    assert round(100 * 25 / 26) == 96
+    off = np.array([c.off for c in checked])
+    TEXT.says("off by 0.5 mm, or 0.2 %", "Pair 8, by 2.2 mm")
+    assert np.sqrt(np.mean(off**2)) == pytest.approx(0.5, abs=0.06)
+    TEXT.says("fits its picture to 0.2 px", "Only together they do not.")
+    alone = [calibrate(BOARD.points(), corners(s), SIZE, MODEL) for s in ("left", "right")]
+    both = calibrate_stereo(BOARD.points(), corners("left"), corners("right"), SIZE, MODEL)
+    eight = NUMBERS.index(8)
+    for camera, residuals in zip(alone, (both.residuals_left, both.residuals_right), strict=True):
+        together = [float(np.sqrt((r**2).sum(axis=1).mean())) for r in residuals]
+        assert round(camera.view_rms[eight], 1) == 0.2
+        assert together[eight] == max(together) > 1.2 * sorted(together)[-2]
+    (worst,) = (c for c in checked if not c.holds)
+    assert (worst.pair, round(abs(worst.off), 1)) == (8, 2.2)
+
+
+def test_model_answers_give_the_same_numbers(cells):
+    answers = {e.name.partition("_")[2]: e.model_answer for e in all_exercises("lab")}
+    width, edge = (str(cells[name]).removesuffix(" (95 %)") for name in ("width", "edge"))
+    assert all(width in answers[name] for name in ("plane", "ruler", "report"))
+    assert all(edge in answers[name] for name in ("space", "report"))
+    assert "Of 17 photographs 12 were used" in answers["camera"]
+    assert "45 of 48 fields" in answers["camera"]
+    assert "0.39 mm of 0.44 mm" in answers["plane"]
+    assert round(cells["width"].sigma, 2) == 0.44
+    assert f"{85.6 - 85.5:.1f} mm, and both ± together are {np.hypot(0.9, 0.5):.1f} mm" in " ".join(
+        answers["ruler"].split()
+    )
