@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import hashlib
 import logging
+import pickle
 import threading
 import time
 import uuid
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
 from contextlib import contextmanager
 from functools import cache
@@ -23,11 +24,10 @@ from typing import Any
 import course_lib
 import data_generators
 from course_lib.grading.assignment import Assignment
-from course_lib.grading.isolation import NoIsolationError, demand
+from course_lib.grading.isolation import Isolation, NoIsolationError, demand
 from course_lib.grading.keeping import kept_judge
 from course_lib.grading.one import Graded, grade_one
 from course_lib.grading.parcels import Parcel, pack
-from course_lib.grading.sanitizing import GivenNotebook
 from course_lib.grading.workers import SET_ASIDE, Manner
 
 #: Seconds to wait for the scheduler; for a worker where there is none; for the next answer.
@@ -108,11 +108,22 @@ def _look_at_workers(client: Any, manner: Manner) -> None:
         client.wait_for_workers(1, timeout=PATIENCE)
     except TimeoutError:
         raise ClusterError(f"the cluster has no worker. {HOW}") from None
-    found = client.run(why_refuse, manner, library_mark(), on_error="return")
+    found = client.run(_there("why_refuse"), manner.isolation, library_mark(), on_error="return")
     refusals = [f"{worker}: {_words(why)}" for worker, why in sorted(found.items()) if why]
     if refusals:
         number = f"{len(refusals)} of {len(found)} workers cannot grade"
         raise ClusterError(f"{number}.\n" + "\n".join(refusals))
+
+
+def _there(name: str) -> Callable[..., Any]:
+    """Return a function of this module for the cluster, which says so where there is none."""
+
+    def call(*arguments: Any) -> Any:  # sent as code: a name that is not found would stop a worker
+        from importlib import import_module
+
+        return getattr(import_module("course_lib.grading.cluster"), name)(*arguments)
+
+    return call
 
 
 def _words(why: str | Exception) -> str:
@@ -132,46 +143,41 @@ def library_mark() -> str:
     return digest.hexdigest()
 
 
-def why_refuse(manner: Manner, mark: str) -> str:
+def why_refuse(isolation: Isolation, mark: str) -> str:
     """Return why this process of a cluster does not grade, in a sentence; empty if it does.
 
     Parameters
     ----------
-    manner : Manner
-        How submissions are to be run.
+    isolation : str
+        How submissions are to be kept.
     mark : str
         `library_mark` of the machine that asks.
     """
     if library_mark() != mark:
         return DIFFERENT
     try:
-        demand(manner.isolation)
+        demand(isolation)
     except NoIsolationError as error:
         return str(error)
     return ""
 
 
-def grade_there(
-    given: Mapping[str, GivenNotebook], parcel: Parcel, manner: Manner, mark: str
-) -> Graded | str:
+def grade_there(isolation: Isolation, mark: str, packed: bytes) -> Graded | str:
     """Grade one submission in a process of the cluster; return a sentence if it refuses.
 
     Parameters
     ----------
-    given : mapping of str to GivenNotebook
-        The assignment's notebooks.
-    parcel : Parcel
-        What was handed in.
-    manner : Manner
-        How it is run.
-    mark : str
-        `library_mark` of the machine that asks.
+    isolation, mark : str
+        For `why_refuse`: this process may have come after the others were asked.
+    packed : bytes
+        The assignment's notebooks, the parcel and what it may use.
     """
-    refusal = why_refuse(manner, mark)  # it may have come after the others were asked
+    refusal = why_refuse(isolation, mark)
     if refusal:
         return refusal
+    given, parcel, allowance = pickle.loads(packed)
     with _ONE_AT_A_TIME:  # however many threads the worker has
-        return grade_one(given, parcel, kept_judge(manner.isolation, manner.allowance))
+        return grade_one(given, parcel, kept_judge(isolation, allowance))
 
 
 class _Run:
@@ -202,9 +208,11 @@ class _Run:
             yield from self._next_done()
 
     def _send(self, parcel: Parcel) -> None:
-        what = (self._assignment.notebooks, parcel, self._manner, library_mark())
+        packed = pickle.dumps((self._assignment.notebooks, parcel, self._manner.allowance))
+        what = (self._manner.isolation, library_mark(), packed)
         name = f"grade-{uuid.uuid4().hex}"  # it is shown to whoever looks at the scheduler
-        self._running[self._client.submit(grade_there, *what, key=name, pure=False)] = parcel
+        task = self._client.submit(_there("grade_there"), *what, key=name, pure=False)
+        self._running[task] = parcel
 
     def _next_done(self) -> Iterator[Graded]:
         from distributed import wait

@@ -6,16 +6,15 @@ import time
 
 import dask
 import pytest
-from distributed import LocalCluster
+from distributed import Client, LocalCluster
 from small_course import run
 from walls import walled
 
 from benchmarks.kills import ASSIGNMENT, PATIENCE, Scene, records, snapshot
 from course_lib.cli import main
 from course_lib.grading import cluster
-from course_lib.grading.cluster import DIFFERENT, library_mark, why_refuse
-from course_lib.grading.workers import SET_ASIDE, Manner
-from course_lib.sandbox.limits import Allowance
+from course_lib.grading.cluster import DIFFERENT, _there, _words, library_mark, why_refuse
+from course_lib.grading.workers import SET_ASIDE
 
 pytestmark = [pytest.mark.slow, walled]
 CLASS = ("right", "rewritten", "half-done", "misconception-2", "copied-out", "cut-off")
@@ -98,9 +97,11 @@ def test_a_worker_without_walls_refuses(new_term, tmp_path):
 
 
 def test_a_worker_with_another_version_of_the_course_refuses():
-    trusting = Manner("none", Allowance())
-    assert why_refuse(trusting, library_mark()) == ""
-    assert why_refuse(trusting, "another") == DIFFERENT
+    assert why_refuse("none", library_mark()) == ""
+    assert why_refuse("none", "another") == DIFFERENT
+    with local_cluster(1, processes=False) as there, Client(there) as client:
+        (missing,) = client.run(_there("judge_of_next_year"), on_error="return").values()
+    assert DIFFERENT in _words(missing)
 
 
 def test_without_a_scheduler_it_says_so(new_term, monkeypatch, capsys):
