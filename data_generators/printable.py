@@ -26,9 +26,13 @@ MARGIN, FOOT = 8.0, 16.0  # mm: what printers leave white, and the line below th
 MM_PER_INCH = 25.4
 #: Width of an upright bar, and the white that a detector wants around a board, mm.
 BAR, RIM = 6.0, 8.0
+#: Narrower, the room beside a board is too small for an object, mm.
+ROOM = 60.0
 
 
-def save_board(path: str | FilePath, board: Board, page: str = "A4") -> FilePath:
+def save_board(
+    path: str | FilePath, board: Board, page: str = "A4", beside: bool = False
+) -> FilePath:
     """Write a board as a PDF page.
 
     Parameters
@@ -39,6 +43,8 @@ def save_board(path: str | FilePath, board: Board, page: str = "A4") -> FilePath
         The board, its lengths in mm.
     page : str
         ``"A4"``, ``"A3"``, ``"A2"``, ``"A1"`` or ``"letter"``, held sideways.
+    beside : bool
+        Whether the board is at the left, with a frame at its right into which an object is laid.
 
     Returns
     -------
@@ -60,12 +66,18 @@ def save_board(path: str | FilePath, board: Board, page: str = "A4") -> FilePath
     width, height = PAGES[page]
     board_size = printed_size(board)
     _check_fits(board, board_size, page)
+    start = (np.array([width, height - FOOT]) - board_size) / 2
+    if beside:
+        start[0] = MARGIN + BAR + RIM
+        _check_room(board, width - MARGIN - RIM - start[0], page)
     figure = Figure(figsize=(width / MM_PER_INCH, height / MM_PER_INCH))
     axes = figure.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(height, 0))
     axes.set_axis_off()
-    corner = (np.array([width, height - FOOT]) - board_size) / 2 + first_point(board)
+    corner = start + first_point(board)
     axes.add_patch(PathPatch(_outlines(board, corner), facecolor="black", linewidth=0))
-    _draw_foot(axes, board, (width, height))
+    _draw_foot(axes, board, (width, height), beside)
+    if beside:
+        _draw_room(axes, start[0] + board_size[0] + RIM, start[1], (width - MARGIN, board_size[1]))
     path = FilePath(path)
     with mpl.rc_context({"pdf.fonttype": 42, "path.simplify": False}):
         figure.savefig(path, format="pdf", metadata={"CreationDate": None, "Title": board.name})
@@ -110,6 +122,28 @@ def _check_fits(board: Board, size: Array, page: str) -> None:
         f"{room[0]:g} × {room[1]:g} mm: say {_smaller(board, float((room / size).min()))}"
         + (f", or --page {larger[0]}" if larger else "")
     )
+
+
+def _check_room(board: Board, width: float, page: str) -> None:
+    """Raise unless an object fits beside a board."""
+    size = printed_size(board)[0]
+    if size + ROOM > width:
+        raise ValueError(
+            f"{board.name} leave {max(width - size, 0):g} mm beside them on {page}, an object "
+            f"wants {ROOM:g} mm: say {_smaller(board, (width - ROOM) / size)}, or leave out --beside"
+        )
+
+
+def _draw_room(axes: Any, left: float, top: float, size: tuple[float, float]) -> None:
+    """Draw where an object is laid: up to the right edge, as high as the board, grey and thin."""
+    from matplotlib.patches import Rectangle
+
+    right, height = size
+    axes.add_patch(
+        Rectangle((left, top), right - left, height, fill=False, edgecolor="0.7", linewidth=0.5)
+    )
+    said = "Lay what you measure here, flat on the paper."
+    axes.text((left + right) / 2, top + height - 4, said, fontsize=8, ha="center", color="0.4")
 
 
 def _smaller(board: Board, factor: float) -> str:
@@ -168,7 +202,7 @@ def _rectangle(left: float, top: float, width: float, height: float) -> Path:
     return Path(corners, closed=True)
 
 
-def _draw_foot(axes: Any, board: Board, page: tuple[float, float]) -> None:
+def _draw_foot(axes: Any, board: Board, page: tuple[float, float], beside: bool) -> None:
     """Draw the bars of 100 mm and what the board is."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
@@ -177,7 +211,7 @@ def _draw_foot(axes: Any, board: Board, page: tuple[float, float]) -> None:
     parts = [_rectangle(left + k, y, 10, 2) for k in range(0, 100, 20)]
     parts += [_rectangle(left, y - 2, 100, 0.3), _rectangle(left, y + 2, 100, 0.3)]
     parts += [_rectangle(left + k, y - 2, 0.3, 6) for k in (-0.15, 99.85)]
-    upright = _has_room_beside(board, page)
+    upright = beside or _has_room_beside(board, page)
     if upright:
         parts += _upright_bar(left, y - 6)
     axes.add_patch(PathPatch(Path.make_compound_path(*parts), facecolor="black", linewidth=0))

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 EXAMPLE = """examples:
   course target target.pdf --board 9x6 --square 25    print this at 100 %, glue it on something flat
+  course target small.pdf --board 9x6 --square 15 --beside    and this to measure a thing beside it
   course calibrate photos/ --board 9x6 --square 25    a folder with 10 to 30 photographs of it
   course calibrate IMG_*.JPG --board 10x7 --square 25 --kind dots --diameter 15
 
@@ -68,6 +69,11 @@ def add_target_command(commands: Any) -> None:
     command.add_argument("file", type=Path, metavar="FILE.pdf")
     add_board_options(command)
     command.add_argument("--page", default="A4", help="A4, A3, A2, A1 or letter (%(default)s)")
+    command.add_argument(
+        "--beside",
+        action="store_true",
+        help="leave room at the right of the board, for an object that is measured there",
+    )
     command.set_defaults(run=_target)
 
 
@@ -83,7 +89,7 @@ def _target(options: argparse.Namespace) -> int:
     board = board_of(options)
     if options.file.suffix.lower() != ".pdf":
         raise ValueError(f"{options.file} must end in .pdf: a board is written as a PDF")
-    save_board(options.file, board, options.page)
+    save_board(options.file, board, options.page, options.beside)
     say(f"Wrote {options.file}: {board.name}. Print it at 100 % and measure its bars.")
     return 0
 

@@ -231,7 +231,7 @@ class TestTarget:
 
     def test_the_help_shows_boards_that_fit(self, tmp_path):
         boards = re.findall(r"--board \d.*", EXAMPLE)
-        assert len(boards) == 3
+        assert len(boards) == 4
         for number, line in enumerate(boards):
             options = shlex.split(line.split("  ")[0])
             assert main(["target", str(tmp_path / f"{number}.pdf"), *options]) == 0

@@ -131,3 +131,31 @@ def test_no_room_for_a_second_bar(tmp_path):
     _, commands = page_of(save_board(tmp_path / "board.pdf", Checkerboard(13, 6, 20)))
     printed = rectangles_of(commands)
     assert (abs(printed[:, 3] - 100) < 0.01).sum() == 0
+
+
+class TestBeside:
+    board = Checkerboard(9, 6, 15.0)
+
+    def test_frame_for_the_object(self, tmp_path):
+        """The board is as large as without it; at its right is a frame, as high as the board."""
+        pages = [
+            page_of(save_board(tmp_path / f"{k}.pdf", self.board, beside=k == 1))[1]
+            for k in range(2)
+        ]
+        centred, beside = (
+            p[(abs(p[:, 2:] - 15) < 0.01).all(axis=1)] for p in map(rectangles_of, pages)
+        )
+        moved = centred[:, :2] - beside[:, :2]
+        np.testing.assert_allclose(np.ptp(moved, axis=0), 0, atol=0.01)
+        (frame,) = (p for p in rectangles_of(pages[1]) if abs(p[3] - 105) < 0.1)
+        right_of_board = beside[:, 0].max() + 15
+        assert frame[0] == pytest.approx(right_of_board + 8, abs=0.1)
+        assert frame[0] + frame[2] == pytest.approx(297 - 8, abs=0.1)
+        assert frame[2] > 86  # a bank card
+
+    def test_no_room(self, tmp_path):
+        with pytest.raises(ValueError, match=r"9 mm beside .* say --square 19.5") as raised:
+            save_board(tmp_path / "board.pdf", Checkerboard(9, 6, 25.0), beside=True)
+        square = float(re.findall(r"--square ([\d.]+)", str(raised.value))[0])
+        smaller = Checkerboard(9, 6, square)
+        assert save_board(tmp_path / "board.pdf", smaller, beside=True).exists()
