@@ -22,6 +22,7 @@ from typing import Any
 from IPython.core.displayhook import DisplayHook
 from IPython.core.displaypub import DisplayPublisher
 from IPython.core.interactiveshell import InteractiveShell
+from traitlets import Type
 from traitlets.config import Config
 
 from course_lib.judging.limits import BoundedText, TimeLimitReached, time_limit
@@ -53,6 +54,13 @@ class _Hook(DisplayHook):  # type: ignore[misc]
             _record(self.shell, "execute_result", self.compute_format_data(result)[0])
 
 
+class _Shell(InteractiveShell):  # type: ignore[misc]
+    """An IPython whose cells' values and displays are kept, not printed."""
+
+    display_pub_class = Type(_Publisher)
+    displayhook_class = Type(_Hook)
+
+
 def _record(shell: Any, kind: str, data: Mapping[str, Any]) -> None:
     kept = {key: str(data[key]) for key in ("text/plain",) if key in data}
     picture = data.get("image/png")
@@ -71,9 +79,7 @@ def make_shell() -> InteractiveShell:
     options.HistoryManager.hist_file = ":memory:"
     options.InteractiveShell.colors = "NoColor"
     options.InteractiveShell.xmode = "Plain"
-    options.InteractiveShell.display_pub_class = _Publisher
-    options.InteractiveShell.displayhook_class = _Hook
-    shell = InteractiveShell.instance(config=options)
+    shell = _Shell.instance(config=options)
     shell.kept, shell.draws = [], False
     shell.ask_exit = lambda: None  # exit() in a cell ends nothing, as in a graded kernel
     shell._showtraceback = lambda kind, error, lines: shell.kept.append(_error(kind, error, lines))
