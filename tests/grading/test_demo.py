@@ -70,6 +70,17 @@ def test_everybody_has_exactly_the_points_that_the_answers_are_worth(shown, stan
             assert {name: got[member.id][name] for name in expected} == expected
 
 
+def test_points_do_not_depend_on_whose_hidden_numbers_are_asked(shown, standings):
+    (copy,) = [m for m in shown.members if m.copied_from]
+    points = {s.student: s.points for s in standings.students}
+    own, source = points[copy.id], points[copy.copied_from]
+    functions = [item.name for item in standings.items if not item.by_hand]
+    functions.remove("pinhole.data_sheet")
+    assert {name: own[name] for name in functions} == {name: source[name] for name in functions}
+    key = read_key(shown.term / "grading.key")
+    assert len({grading_seed(key, who, CHAPTER) for who in points}) == SIZE
+
+
 def test_the_class_page_needs_nothing_else_and_names_what_there_is(shown):
     text = html.unescape(re.sub(r"<[^>]+>", "", shown.page))
     assert not re.search(r"<script|src=|@import|url\(|https?://", shown.page)

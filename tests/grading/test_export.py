@@ -140,6 +140,8 @@ def test_who_could_be_two_is_nobody(tmp_path):
     twice = "First name,Last name,Email address\nA,B,late@uni.example\nC,D,late@other.example\n"
     roster = written(tmp_path, twice)
     assert match(roster, [student("late", "Tom", "Baker")]).students == {}
+    shared = [Standing("late"), Standing("tom", email="late@uni.example")]
+    assert match(written(tmp_path, WORKSHEET), shared).students == {}
     same = [student("x1", "Ida", "Ek"), student("x2", "Ida", "Ek")]
     names = written(tmp_path, "First name,Last name,Email address\nIda,Ek,i@uni.example\n")
     assert match(names, same).students == {}
