@@ -130,7 +130,8 @@ def _check_room(board: Board, width: float, page: str) -> None:
     if size + ROOM > width:
         raise ValueError(
             f"{board.name} leave {max(width - size, 0):g} mm beside them on {page}, an object "
-            f"wants {ROOM:g} mm: say {_smaller(board, (width - ROOM) / size)}, or leave out --beside"
+            f"wants {ROOM:g} mm: say {_smaller(board, (width - ROOM) / size)}, "
+            "or leave out --beside"
         )
 
 
