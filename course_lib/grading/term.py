@@ -103,6 +103,8 @@ def make_term(term: Term, root: Path) -> None:
     """
     lessons = [read_lesson(path) for path in find_lessons(root, term.chapters)]
     notebooks = [expand(lesson) for lesson in lessons]
+    term.directory.mkdir(parents=True, exist_ok=True)
+    term.directory.chmod(0o700)  # solutions, the key, grades: for nobody else of the machine
     for lesson, notebook in zip(lessons, notebooks, strict=True):
         folder = term.directory / "source" / lesson.name
         write_notebook(notebook, folder / f"{lesson.name}.ipynb")

@@ -30,6 +30,11 @@ def test_what_is_in_it(term):
     assert stat.S_IMODE((term.directory / "grading.key").stat().st_mode) == 0o600
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such permissions")
+def test_nobody_else_of_the_machine_may_look_into_it(term):
+    assert stat.S_IMODE(term.directory.stat().st_mode) == 0o700
+
+
 def test_practice_is_left_out_unless_asked_for(tmp_path, course, term):
     assert term.chapters == tuple(list(CHAPTERS.values())[1:])
     assert plan_term(tmp_path / "other", course, ["00_welcome"]).chapters == ("00_welcome",)
