@@ -33,7 +33,7 @@ from course_lib.grading.workers import SET_ASIDE, Manner
 #: Seconds to wait for the scheduler; for a worker where there is none; for the next answer.
 CONNECT, PATIENCE, LOOK = 15.0, 60.0, 5.0
 AGAIN = "What is graded is recorded; run the same command again to go on"
-HOW = "Start some, one for each core: dask worker SCHEDULER --nworkers auto --nthreads 1"
+HOW = "Start some, one for each core: dask worker SCHEDULER --nworkers=-1 --nthreads 1"
 DIFFERENT = "it has not the same version of the course as this machine; install it there"
 _ONE_AT_A_TIME = threading.Lock()
 
