@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import shutil
-import sqlite3
 import tempfile
 from collections.abc import Iterable, Sequence
-from contextlib import closing
 from pathlib import Path
 
 import nbformat
@@ -146,7 +144,8 @@ def release(lessons: Sequence[Lesson]) -> list[NotebookNode]:
     with tempfile.TemporaryDirectory(prefix="course-build-") as directory:
         options = release_options()
         options.CourseDirectory.root = directory
-        options.CourseDirectory.db_url = _throwaway_gradebook(directory)
+        options.GenerateAssignment.no_database = True  # nobody reads the gradebook of a build
+        options.SaveCells.enabled = False
         api = NbGraderAPI(config=options)
         for lesson, notebook in zip(lessons, expanded, strict=True):
             write_notebook(notebook, Path(directory, "source", lesson.name, f"{lesson.name}.ipynb"))
@@ -174,18 +173,6 @@ def notebook_bytes(notebook: NotebookNode) -> bytes:
     """Return a notebook as the bytes of its file: UTF-8, sorted keys, a newline at the end."""
     text: str = nbformat.writes(notebook, version=4)
     return (text.rstrip("\n") + "\n").encode("utf-8")
-
-
-def _throwaway_gradebook(directory: str) -> str:
-    """Return the URL of a gradebook that nbgrader takes for a known one.
-
-    For a new one it would start ``alembic`` to learn a version that nobody reads here, and that
-    takes longer than all the rest.
-    """
-    path = Path(directory, "gradebook.db")
-    with closing(sqlite3.connect(path)) as database:
-        database.execute("CREATE TABLE alembic_version (version_num VARCHAR(32) NOT NULL)")
-    return f"sqlite:///{path}"
 
 
 def _normal(notebook: NotebookNode) -> NotebookNode:

@@ -1,7 +1,9 @@
 import json
+import shutil
 
 import nbformat
 import pytest
+from small_course import write_course
 
 from course_lib.authoring import building
 from course_lib.authoring.building import build, built_files, check_built, find_lessons
@@ -13,15 +15,25 @@ from course_lib.judging import Exercise, Explain, ValuesExercise
 PINHOLE = "notebooks/01_pinhole/01_pinhole.ipynb"
 
 
-@pytest.fixture
-def built(course):
-    build(course)
-    return course
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory):
+    """A course whose notebooks were built once, for tests that change nothing."""
+    root = write_course(tmp_path_factory.mktemp("finished") / "course")
+    build(root)
+    return root
 
 
 @pytest.fixture
-def cells(built):
-    notebook = nbformat.read(built / PINHOLE, as_version=4)
+def built(finished, tmp_path, monkeypatch):
+    """The finished course to change, in the working directory."""
+    root = shutil.copytree(finished, tmp_path / "course")
+    monkeypatch.chdir(root)
+    return root
+
+
+@pytest.fixture
+def cells(finished):
+    notebook = nbformat.read(finished / PINHOLE, as_version=4)
     nbformat.validate(notebook)
     return {cell.id: cell for cell in notebook.cells}
 
@@ -38,8 +50,8 @@ def test_stubs_end_in_not_implemented(cells):
             assert source == TEXT_STUB
 
 
-def test_students_see_no_solution(built):
-    text = (built / PINHOLE).read_text(encoding="utf-8")
+def test_students_see_no_solution(finished):
+    text = (finished / PINHOLE).read_text(encoding="utf-8")
     for question in (e for e in all_exercises("pinhole") if isinstance(e, Explain)):
         assert json.dumps(question.model_answer)[1:-1] not in text
         assert question.rubric[0][1] not in text
@@ -55,8 +67,8 @@ def test_stubs_are_not_attempted_and_checks_are_read_only(cells):
             assert cells[grade_id(exercise.name)].metadata.get("editable", True)
 
 
-def test_notebooks_have_no_outputs_and_no_trace_of_the_machine(built):
-    for path in built.glob("notebooks/*/*.ipynb"):
+def test_notebooks_have_no_outputs_and_no_trace_of_the_machine(finished):
+    for path in finished.glob("notebooks/*/*.ipynb"):
         notebook = json.loads(path.read_text(encoding="utf-8"))
         assert notebook["metadata"]["language_info"] == {"name": "python"}
         assert notebook["metadata"]["kernelspec"]["name"] == "python3"
