@@ -82,12 +82,15 @@ class Shot:
         The target's points in it, px.
     view : View
         Where the camera stood, and how well that is known.
+    own : bool
+        Whether it is the reader's.
     """
 
     name: str
     photograph: NDArray[np.uint8]
     corners: NDArray[np.float64]
     view: View
+    own: bool = False
 
 
 def look(
@@ -221,7 +224,7 @@ def shot(work: Work, name: str, unevenness: float = 0.0) -> Shot:
     corners = np.asarray(photo.detection.points, float)
     points = work.target.points()[photo.detection.ids]
     view = view_of_target(points, corners, camera, unevenness)
-    return Shot(name, read_rgb(photo.path), corners, view)
+    return Shot(name, read_rgb(photo.path), corners, view, work.own)
 
 
 def read_rgb(path: Path) -> NDArray[np.uint8]:

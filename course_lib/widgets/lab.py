@@ -80,7 +80,8 @@ def pointer(
     names : tuple of str
         What the two places are.
     start : array_like, shape (2, 2), optional
-        Where the marks are at first, px; in the middle unless told.
+        Where the marks are at first in a supplied photograph, px. In a reader's own they begin at
+        the first and the last corner of the target: a length that is known, until they are moved.
     measure : callable, optional
         From the pixels of both marks, shape (2, 2), to a length, which is shown.
     guides : sequence of array_like, shape (N, 2)
@@ -92,8 +93,7 @@ def pointer(
         Its `ends` are the pixels of the marks.
     """
     height, width = shot.photograph.shape[:2]
-    middle = np.array([[0.4, 0.5], [0.6, 0.5]]) * (width, height)
-    places = np.asarray(middle if start is None else start, float)
+    places = np.asarray(shot.corners[[0, -1]] if start is None or shot.own else start, float)
     value = None if measure is None else partial(_readouts, measure)
     pointed = Pointed(shot.photograph, names, value, tuple(guides))
     controls = [

@@ -17,7 +17,7 @@ from types import SimpleNamespace
 from course_lib.widgets.lab import pointer
 picture = np.full((600, 800, 3), 200, np.uint8)
 picture[300:, 400:] = 60
-card = pointer(SimpleNamespace(photograph=picture), ("left end", "right end"),
+card = pointer(SimpleNamespace(photograph=picture, own=False), ("left end", "right end"),
                [(100, 100), (390, 310)])
 card"""
 

@@ -11,7 +11,8 @@ from course_lib.widgets.lab import pointer
 
 RNG = np.random.default_rng(2)
 PHOTOGRAPH = RNG.integers(0, 256, (600, 800, 3), np.uint8)
-SHOT = SimpleNamespace(photograph=PHOTOGRAPH)
+CORNERS = np.array([(320.0, 300), (400, 310), (480, 320.5)])
+SHOT = SimpleNamespace(photograph=PHOTOGRAPH, corners=CORNERS, own=False)
 START = [(100.0, 80.5), (300.2, 310.0)]
 
 
@@ -33,8 +34,10 @@ def test_it_starts_where_it_is_told(explorer):
     assert said[-1] == "304.55 ± 0.98"
 
 
-def test_without_a_start_the_marks_are_in_the_middle():
-    np.testing.assert_allclose(pointer(SHOT).ends, [(320, 300), (480, 300)])
+def test_in_a_readers_photograph_the_marks_begin_at_the_target():
+    own = SimpleNamespace(photograph=PHOTOGRAPH, corners=CORNERS, own=True)
+    for explorer in (pointer(SHOT), pointer(own, start=START)):
+        np.testing.assert_allclose(explorer.ends, CORNERS[[0, 2]])
 
 
 def test_a_start_outside_is_moved_into_the_photograph():
@@ -112,7 +115,7 @@ def test_marks_on_one_place_say_why_there_is_no_length(explorer):
 
 
 def test_a_phones_photograph_has_a_thousand_places_to_a_slider():
-    large = SimpleNamespace(photograph=np.zeros((3000, 4000, 3), np.uint8))
+    large = SimpleNamespace(photograph=np.zeros((3000, 4000, 3), np.uint8), own=False)
     explorer = pointer(large, start=[(3999, 2999), (2001.3, 17.7)])
     assert len(explorer._controls["u1"].positions) == 1000
     np.testing.assert_allclose(explorer.ends, [(3999, 2999), (2001.3, 17.7)])

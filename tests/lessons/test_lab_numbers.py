@@ -120,6 +120,9 @@ def test_at_ten_degrees_it_is_several_times_as_large(cells):
 
 
 def test_the_worked_examples():
+    TEXT.says(r"$\sqrt{200^2 + 125^2} = 235.8$ mm")
+    corners = desk.TARGET.points()[[0, -1]]
+    assert round(float(np.linalg.norm(corners[1] - corners[0])), 1) == 235.8
     TEXT.says(r"\mathbf d = (0.1, 0, 1)", r"$\lambda = 500$ and $\mathbf X = (50, 0, 0)$")
     C, d = np.array([0, 0, -500.0]), np.array([100 / 1000, 0, 1])
     np.testing.assert_allclose(C - C[2] / d[2] * d, [50, 0, 0])
