@@ -4,7 +4,7 @@ import sys
 
 import numpy as np
 import pytest
-from lesson_text import lesson_text
+from lesson_text import about, lesson_text
 from real_data import fetched
 
 from course_lib import bundle, orientation, tie_points, transforms
@@ -22,11 +22,6 @@ says = TEXT.says
 CHAINED, ADJUSTED = growing.WAYS
 # A figure of the package has the same name.
 acquisition = sys.modules["course_lib.drawing.bundle.acquisition"]
-
-
-def about(value, digits):
-    """Return what agrees with a printed number of so many decimals."""
-    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
 
 
 def test_points_of_all_exercises_and_their_order():

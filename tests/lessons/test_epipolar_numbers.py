@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 import pytest
-from lesson_text import lesson_text
+from lesson_text import about, lesson_text
+from lesson_text import readout as read
 from real_data import fetched
 
 from course_lib import epipolar as epi
@@ -27,16 +28,6 @@ from course_lib.widgets.epipolar import epipolar_explorer
 says = lesson_text("08_epipolar").says
 SAME_ROW = np.array([[0, 0, 0], [0, 0, -1], [0, 1, 0]])
 K = np.array([[100, 0, 50], [0, 100, 40], [0, 0, 1.0]])
-
-
-def about(value, digits):
-    """Return what agrees with a printed number of so many decimals."""
-    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
-
-
-def read(frame, label):
-    (found,) = (r for r in frame.readouts if r.label == label)
-    return found.value
 
 
 @pytest.fixture(scope="module")

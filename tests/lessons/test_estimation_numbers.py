@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from lesson_text import lesson_text
+from lesson_text import about, lesson_text, read
 
 from course_lib import homogeneous, homography, least_squares, resection
 from course_lib.drawing import estimation as draw
@@ -24,18 +24,8 @@ TABLE, BLOCK = slice(6), slice(6, 9)
 SQUARE = np.array([[0.0, 0], [4, 0], [4, 4], [0, 4]])
 
 
-def about(value, digits):
-    """Return what agrees with a printed number of so many decimals."""
-    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
-
-
 def rms(differences):
     return np.sqrt((differences**2).sum(axis=1).mean())
-
-
-def read(frame, label):
-    (found,) = (r for r in frame.readouts if r.label == label)
-    return float(found.value)
 
 
 # One unknown, and a line

@@ -4,7 +4,7 @@ import ast
 
 import numpy as np
 import pytest
-from lesson_text import LESSONS, lesson_text
+from lesson_text import LESSONS, about, lesson_text, read
 
 from course_lib import optics
 from course_lib.authoring.lesson import read_lesson
@@ -18,16 +18,6 @@ says = TEXT.says
 
 PITCH, GREEN = 27.6 / 2048, 0.00055  # mm
 F, NEAR, FAR = 85, 2000, 2500  # the wing, mm
-
-
-def about(value, digits):
-    """Return what agrees with a printed number of so many decimals."""
-    return pytest.approx(value, abs=0.5001 * 10.0**-digits)
-
-
-def read(frame, label):
-    (found,) = (r for r in frame.readouts if r.label == label)
-    return float(found.value.replace("−", "-").replace("∞", "inf"))
 
 
 # Published worked numbers
