@@ -69,11 +69,11 @@ class Measured:
 
 
 def _decimals(around: float) -> int:
-    """Return to how many decimals: one digit of the interval, two if the first one is 1."""
+    """Return to how many decimals: one digit of the interval, two if the first one is 1 or 2."""
     if not around > 0:
         return 6
     first, exponent = f"{around:.0e}".split("e")
-    return (1 if first == "1" else 0) - int(exponent)
+    return (1 if first in "12" else 0) - int(exponent)
 
 
 def _rounded(value: float, decimals: int) -> str:

@@ -114,7 +114,8 @@ def distance_on_plane(
     Returns
     -------
     Measured
-        With the parts ``"pointing"``, ``"pose"``, ``"camera"``, ``"target"`` and ``"height"``.
+        With the parts ``"pointing"``, ``"pose"``, ``"camera"`` and ``"target"`` (its corners), and,
+        if they are given, ``"scale"`` and ``"height"``.
 
     Raises
     ------
@@ -145,8 +146,8 @@ def distance_on_plane(
     lift = abs(float(np.einsum("ki,ki->", by_pixel, by_point[..., 2])))
     parts = shares([view], [state], by_pixel)
     parts["pointing"] *= pointing
-    parts["target"] = float(np.hypot(parts["target"], scale * value))
-    return Measured(value, {**parts, "height": lift * height_sigma})
+    given = {"scale": scale * value, "height": lift * height_sigma}
+    return Measured(value, parts | {name: sigma for name, sigma in given.items() if sigma})
 
 
 def length_and_line(points: Array) -> tuple[float, Array]:

@@ -132,7 +132,8 @@ def distance_in_space(
     Returns
     -------
     Measured
-        With the parts ``"pointing"``, ``"pose"``, ``"camera"`` and ``"target"``.
+        With the parts ``"pointing"``, ``"pose"``, ``"camera"`` and ``"target"`` (its corners), and
+        ``"scale"`` if it is given.
 
     Raises
     ------
@@ -159,5 +160,4 @@ def distance_in_space(
     by_state = [-np.einsum("ki,kij->j", by_pixel[:, i], s) for i, s in enumerate(states)]
     parts = shares(views, by_state, by_pixel)
     parts["pointing"] *= pointing
-    parts["target"] = float(np.hypot(parts["target"], scale * value))
-    return Measured(value, parts)
+    return Measured(value, parts | ({"scale": scale * value} if scale else {}))

@@ -223,7 +223,9 @@ class TestScatter:
         view, pixels = exact[1][0], image(FLAT, POSES[0])
         length = distance_on_plane(*pixels, view, scale=0.002, height=5, height_sigma=0.01)
         higher = distance_on_plane(*pixels, view, height=5.01)
-        assert length.parts["target"] == pytest.approx(0.002 * length.value)
+        assert length.parts["scale"] == pytest.approx(0.002 * length.value)
+        assert length.parts["target"] == 0  # its corners are where they should be
+        assert not {"scale", "height"} & set(distance_on_plane(*pixels, view).parts)
         assert length.parts["height"] == pytest.approx(abs(higher.value - length.value), rel=1e-3)
         assert length.sigma == pytest.approx(np.linalg.norm(list(length.parts.values())))
 
@@ -234,6 +236,7 @@ class TestMeasured:
         [
             (82.31, 0.2, "82.3 mm ± 0.4 mm (95 %)"),
             (82.314, 0.07, "82.31 mm ± 0.14 mm (95 %)"),
+            (119.34, 1.1, "119.3 mm ± 2.2 mm (95 %)"),
             (1234.0, 25.0, "1230 mm ± 50 mm (95 %)"),
             (5.0, 0.0, "5.000000 mm ± 0.000000 mm (95 %)"),
             (0.5, 0.00499, "0.500 mm ± 0.010 mm (95 %)"),
