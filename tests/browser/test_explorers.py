@@ -14,14 +14,15 @@ READABLE = ("aperture", "focal", "dolly", "depth", "corners")
 each = pytest.mark.parametrize("explorer", EXPLORERS, indirect=True)
 each_readable = pytest.mark.parametrize("explorer", READABLE, indirect=True)
 CLUMSY = """
-from course_lib.drawing.explorers.frame import Frame, Line, Picture
+from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture
 from course_lib.widgets.controls import Slider
 from course_lib.widgets.explorer import Explorer
 
 def frame(n):
     if n == 7:
         raise ValueError("seven is not drawn; choose another")
-    return Frame((Picture("Square", f"n is {n:g}", (100, 80), lines=(Line([[0, 0], [n, n]]),)),))
+    line, word = Line([[0, 0], [n, n]]), Label("edge", (98, 60))
+    return Frame((Picture("Square", f"n is {n:g}", (100, 80), lines=(line,), labels=(word,)),))
 
 clumsy = Explorer("Clumsy", [Slider("n", "Number", "n", "", 1, 9, 6)], frame)
 clumsy
@@ -332,6 +333,13 @@ def test_an_error_is_said_and_the_next_picture_clears_it(page):
     slider.press("ArrowRight")
     root.get_by_role("img", name="n is 8").wait_for()
     assert status.inner_text() == ""
+
+
+def test_a_word_at_the_edge_is_moved_inwards(page):
+    seen = photograph(page.get_by_role("region", name="Clumsy"))
+    dark = np.flatnonzero((seen[60:85] < 160).all(axis=2).any(axis=0))
+    assert dark.min() < 110  # where the word is asked for, it begins at 118
+    assert dark.max() < seen.shape[1] - 1
 
 
 def test_python_moves_the_page(page, lab, lab_page):

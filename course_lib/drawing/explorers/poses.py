@@ -185,10 +185,14 @@ def _seen(chosen: list[bool]) -> Picture:
 
 
 def _numbers(chosen: list[bool], corners: list[Floats]) -> tuple[Label, ...]:
-    """Return the number of each chosen view, inside one corner or another of its board."""
+    """Return the number of each chosen view, inside one corner or another of its board.
+
+    Those of the later views are farther inside: some of their boards cover an earlier one.
+    """
     labels = []
     for number, (on, board) in enumerate(zip(chosen, corners, strict=True), start=1):
-        u, v = (0.85 * board[number % 4] + 0.15 * board.mean(axis=0)).tolist()
+        out = 0.85 if number <= 4 else 0.66
+        u, v = (out * board[number % 4] + (1 - out) * board.mean(axis=0)).tolist()
         labels += [Label(f"{number}", (u, v), "object", "middle")] if on else []
     return tuple(labels)
 
