@@ -101,27 +101,15 @@ def _add_term(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
         help="make a course directory in which nbgrader works",
         description="Make a term's course directory for nbgrader, outside the course's own folder.",
     )
-    command.add_argument("directory", type=Path, metavar="DIR", help="a new folder")
-    command.add_argument(
-        "--chapters",
-        nargs="+",
-        default=[],
-        metavar="NN_topic",
-        help="which lessons are graded (all but 00_welcome)",
-    )
-    command.add_argument("--course-id", default="", metavar="ID", help="the name of DIR")
-    command.add_argument(
-        "--exchange",
-        type=Path,
-        metavar="DIR",
-        help="where students fetch and submit with nbgrader (DIR/exchange)",
-    )
-    command.add_argument(
-        "--gradebook",
-        default="",
-        metavar="URL",
-        help="a database of PostgreSQL, without password (DIR/gradebook.db, a file of SQLite)",
-    )
+    option = command.add_argument
+    option("directory", type=Path, metavar="DIR", help="a new folder")
+    graded = "which lessons are graded (all but 00_welcome)"
+    option("--chapters", nargs="+", default=[], metavar="NN_topic", help=graded)
+    option("--course-id", default="", metavar="ID", help="the name of DIR")
+    exchange = "where students fetch and submit with nbgrader (DIR/exchange)"
+    option("--exchange", type=Path, metavar="DIR", help=exchange)
+    database = "a database of PostgreSQL, without password (DIR/gradebook.db, a file of SQLite)"
+    option("--gradebook", default="", metavar="URL", help=database)
     command.set_defaults(run=_term)
 
 

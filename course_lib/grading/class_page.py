@@ -92,6 +92,9 @@ def _overview(
         said.append(("note", f"{waiting} answers wait for a person; they count 0 until then."))
     if troubled := sum(bool(s.trouble) for s in standings.students):
         said.append(("bad", f"{_students(troubled)} handed in what cannot be graded."))
+    if unknown := sum(not s.record.get("exercises") for s in graded):
+        text = f"Of {_students(unknown)} only the points are known: not graded by course grade."
+        said.append(("note", text))
     remarks = [_remark(analysis) for analysis in analyses]
     said += [("note", remark) for remark in remarks if remark]
     if pairs:

@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from html import escape
 
 import numpy as np
+from numpy.typing import NDArray
 
+from course_lib.checks import Array
 from course_lib.grading.item_analysis import ItemAnalysis
 from course_lib.grading.states import STATES, State
 from course_lib.judging.text import format_points
@@ -24,6 +26,7 @@ COLOURS: dict[State, tuple[str, str]] = {
 #: Bars of the histogram.
 BARS = 10
 WIDTH = 720
+LEFT, BASE, HIGH, STEP = 50.0, 210.0, 160.0, (WIDTH - 80) / BARS
 
 
 def score_histogram(scores: Sequence[float], possible: float) -> str:
@@ -45,29 +48,41 @@ def score_histogram(scores: Sequence[float], possible: float) -> str:
         return "<p>Nobody has points yet.</p>"
     clipped = np.clip(scores, 0, possible)
     counts, edges = np.histogram(clipped, bins=BARS, range=(0, possible))
-    left, base, high, step = 50.0, 210.0, 160.0, (WIDTH - 80) / BARS
-    parts, most = [], max(int(counts.max()), 1)
-    numbers = []
-    for k, count in enumerate(counts):
-        x, tall = left + k * step, high * count / most
-        parts.append(_rectangle(x + 2, base - tall, step - 4, tall, BLUE))
-        numbers.append(_text(x + step / 2, base - tall - 8, str(count)) if count else "")
-    for k, edge in enumerate(edges):
-        parts.append(_text(left + k * step, base + 20, format_points(round(edge, 1))))
     middle = float(np.median(clipped))
-    x = left + middle / possible * step * BARS
-    dashed = f"stroke='{ORANGE}' stroke-width='2' stroke-dasharray='6 4'"
-    parts.append(f"<path d='M{x:.1f} 26V{base}' {dashed}/>")
-    parts.append(f"<g class='halo'>{''.join(numbers)}</g>")
-    parts.append(_text(x, 18, f"median {format_points(middle)}"))
-    parts.append(f"<path d='M{left} {base}H{WIDTH - 30}' stroke='{DARK}'/>")
-    parts.append(_text(WIDTH / 2, base + 42, f"points, of {format_points(possible)}"))
     pairs = zip(edges, edges[1:], counts, strict=False)
     ranges = ", ".join(f"{format_points(a)} to {format_points(b)}: {n}" for a, b, n in pairs if n)
     said = f"students by points; median {format_points(middle)}; {ranges}"
+    bars, numbers = _bars(counts)
+    content = bars + _scale(edges, middle, possible) + numbers
     caption = "Students by points. The last bar includes full points."
-    drawn = svg(f"0 0 {WIDTH} 260", "".join(parts), said)
+    drawn = svg(f"0 0 {WIDTH} 260", content, said)
     return f"<figure class='wide'>{drawn}<figcaption>{caption}</figcaption></figure>"
+
+
+def _bars(counts: NDArray[np.intp]) -> tuple[str, str]:
+    """Return the bars, and the numbers on them, which a line must not strike out."""
+    parts, numbers, most = [], [], max(int(counts.max()), 1)
+    for k, count in enumerate(counts):
+        x, tall = LEFT + k * STEP, HIGH * count / most
+        parts.append(_rectangle(x + 2, BASE - tall, STEP - 4, tall, BLUE))
+        numbers.append(_text(x + STEP / 2, BASE - tall - 8, str(count)) if count else "")
+    return "".join(parts), f"<g class='halo'>{''.join(numbers)}</g>"
+
+
+def _scale(edges: Array, middle: float, possible: float) -> str:
+    """Return the axis of points, and a dashed line above it at the median."""
+    x = LEFT + middle / possible * STEP * BARS
+    dashed = f"stroke='{ORANGE}' stroke-width='2' stroke-dasharray='6 4'"
+    parts = [
+        f"<path d='M{LEFT} {BASE}h{STEP * BARS}' stroke='{DARK}'/>",
+        f"<path d='M{x:.1f} 26V{BASE}' {dashed}/>",
+        _text(x, 18, f"median {format_points(middle)}"),
+        _text(WIDTH / 2, BASE + 42, f"points, of {format_points(possible)}"),
+    ]
+    steps = enumerate(edges)
+    return "".join(
+        [*parts, *(_text(LEFT + k * STEP, BASE + 20, format_points(round(e, 1))) for k, e in steps)]
+    )
 
 
 def answer_bars(analyses: Sequence[ItemAnalysis]) -> str:
