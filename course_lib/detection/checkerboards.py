@@ -12,13 +12,17 @@ from course_lib.checks import Array
 from course_lib.detection.corner_fit import MOST, SHARE, CornerFit, fit_corners, refine_corners
 from course_lib.detection.lattices import cell_middles, next_row, turned
 from course_lib.detection.reasons import (
+    Seen,
     cannot_be,
     is_board,
     judged,
+    part_in,
     part_of_board,
+    same_every_time,
     why_not_found,
 )
 from course_lib.detection.result import (
+    LOOKED_AT,
     Detection,
     Grey,
     Picture,
@@ -41,13 +45,13 @@ SHARP = 1.2
 def detect_checkerboard(image: ArrayLike, board: Checkerboard) -> Detection:
     """Return the corners of a checkerboard; see `course_lib.detection.detect_board`."""
     grey = grey_picture(image)
-    rough = find_corners(grey, board)
+    rough, seen = find_corners(grey, board)
     if rough is None:
-        return why_not_found(grey, board)
+        return why_not_found(seen, board)
     rough = in_order(grey, rough, board)
     fit = fit_in_suitable_size(grey, rough.reshape(-1, 2))
     if not is_board(fit):
-        return why_not_found(grey, board)
+        return why_not_found(part_of_board(grey), board)
     larger = _beyond(grey, rough)
     if larger or not _alternating(grey, rough):
         return _part_of_another(grey, board, larger or (0, 0))
@@ -60,7 +64,7 @@ def _part_of_another(grey: Picture, board: Checkerboard, more: tuple[int, int]) 
     """Return a detection without points for a board that goes on beyond what was found of it."""
     seen = part_of_board(grey)
     counts = board.columns + more[0], board.rows + more[1]
-    if seen is not None and seen.grid.shape[0] * seen.grid.shape[1] > counts[0] * counts[1]:
+    if seen is not None and seen.corners > counts[0] * counts[1]:
         few, many = sorted(seen.grid.shape[:2])
         counts = (many, few) if board.columns >= board.rows else (few, many)
     return nothing(
@@ -91,33 +95,53 @@ def fit_in_suitable_size(grey: Picture, rough: Array, share: float = SHARE) -> C
     )
 
 
-def find_corners(grey: Picture, board: Checkerboard) -> Array | None:
-    """Return roughly where the corners are, in some order, shape (rows, columns, 2), or None."""
-    tried = False
-    for picture, ratio in smaller_pictures(grey):
-        corners = _opencv(picture, board)
+def find_corners(grey: Picture, board: Checkerboard) -> tuple[Array | None, Seen | None]:
+    """Return roughly where the corners are, in some order, shape (rows, columns, 2), or None.
+
+    Then also the largest part of any checkerboard that was seen, or None.
+    """
+    best = None
+    for number, (picture, ratio) in enumerate(smaller_pictures(grey)):
+        corners = _usual(picture, board)
+        if corners is None and number == 0:
+            corners = _thorough(picture, board)
+        if corners is None:
+            seen = part_in(picture)
+            best = max((p for p in (best, seen) if p), key=lambda p: p.corners, default=None)
+            if number == 0 and seen and cannot_be(seen, board):
+                return None, part_of_board(grey)  # the other sizes are not worth their time
+            if seen and seen.is_of(board):
+                corners = turned(seen.grid, board.columns, board.rows).reshape(-1, 2)
+            elif seen and number > 0:
+                corners = _thorough(picture, board)
         if corners is not None:
             if ratio.max() > 1:
                 # To a few px of a large picture, where windows cover little of a square.
                 corners = in_full_size(refine_corners(picture, corners), ratio)
-            return corners.reshape(board.rows, board.columns, 2)
-        seen = None if tried else part_of_board(picture, once=True)
-        if seen is not None and cannot_be(seen, board):
-            return None  # the other sizes are not worth their time
-        tried = True
-    return None
+            return corners.reshape(board.rows, board.columns, 2), best
+    return None, best
 
 
-def _opencv(picture: Grey, board: Checkerboard) -> Array | None:
-    """Return the corners that one of OpenCV's finders sees, or None."""
+def _usual(picture: Grey, board: Checkerboard) -> Array | None:
+    """Return what OpenCV's usual finder sees; it takes seconds in large pictures full of things."""
     import cv2
 
-    size = board.columns, board.rows
-    usual = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE
-    found, corners = cv2.findChessboardCorners(picture, size, flags=usual)
-    if not found and min(size) > 2:
-        thorough = cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_EXHAUSTIVE
-        found, corners = cv2.findChessboardCornersSB(picture, size, flags=thorough)
+    if max(picture.shape) > LOOKED_AT[0]:
+        return None
+    flags = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE
+    found, corners = cv2.findChessboardCorners(picture, (board.columns, board.rows), flags=flags)
+    return np.asarray(corners, float).reshape(-1, 2) if found else None
+
+
+def _thorough(picture: Grey, board: Checkerboard) -> Array | None:
+    """Return what OpenCV's thorough finder sees."""
+    import cv2
+
+    if min(board.columns, board.rows) <= 2:
+        return None
+    same_every_time()
+    flags = cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_EXHAUSTIVE
+    found, corners = cv2.findChessboardCornersSB(picture, (board.columns, board.rows), flags=flags)
     return np.asarray(corners, float).reshape(-1, 2) if found else None
 
 

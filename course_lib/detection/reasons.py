@@ -29,6 +29,15 @@ class Seen(NamedTuple):
     picture: Picture
     grid: Array  # shape (rows, columns, 2), px of the picture
 
+    @property
+    def corners(self) -> int:
+        """How many corners it has."""
+        return int(self.grid.shape[0] * self.grid.shape[1])
+
+    def is_of(self, board: Checkerboard) -> bool:
+        """Return whether it has as many columns and rows as a board, in whichever order."""
+        return sorted(self.grid.shape[:2]) == sorted((board.columns, board.rows))
+
 
 def judged(grey: Picture, fit: CornerFit, grid: Array, board: Checkerboard) -> tuple[Problem, str]:
     """Return what is wrong with a board that was found, and a sentence."""
@@ -78,9 +87,8 @@ def _is_white(grey: Picture, point: Array, reach: int = 5) -> bool:
     return bool(window.size and np.mean(window >= CLIPPED) > 0.6)
 
 
-def why_not_found(grey: Picture, board: Checkerboard) -> Detection:
+def why_not_found(seen: Seen | None, board: Checkerboard) -> Detection:
     """Return a detection without points that says what can be seen instead of the board."""
-    seen = part_of_board(grey)
     if seen is None:
         return nothing(
             "no board",
@@ -90,6 +98,13 @@ def why_not_found(grey: Picture, board: Checkerboard) -> Detection:
     rows, columns = seen.grid.shape[:2]
     if rows > columns and board.columns >= board.rows:
         rows, columns = columns, rows
+    if seen.is_of(board):
+        return nothing(
+            "blurred",
+            f"The {board.name} can be seen, but are too blurred to be measured. Hold the camera "
+            "still, focus, and take it again.",
+            (columns, rows),
+        )
     problem, cause = _cause(seen, board)
     said = f"Saw {columns} × {rows} corners instead of {board.name}{cause}"
     return nothing(problem, said, (columns, rows))
@@ -130,19 +145,31 @@ def part_of_board(grey: Picture, once: bool = False) -> Seen | None:
 
     With `once`, only the likeliest of all sizes of the picture is looked at.
     """
+    pictures = [picture for picture, _ in smaller_pictures(grey)]
+    parts = [part_in(picture) for picture in (pictures[:1] if once else pictures)]
+    return max((p for p in parts if p is not None), key=lambda p: p.corners, default=None)
+
+
+def part_in(picture: Picture) -> Seen | None:
+    """Return the largest part of any checkerboard that can be seen in a picture of this size."""
     import cv2
 
-    best = None
+    same_every_time()
     flags = cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_EXHAUSTIVE | cv2.CALIB_CB_LARGER
-    for picture, _ in smaller_pictures(grey):
-        found, corners, meta = cv2.findChessboardCornersSBWithMeta(picture, (3, 3), flags)
-        if found and (best is None or meta.size > best.grid.shape[0] * best.grid.shape[1]):
-            points = np.asarray(corners, float).reshape(-1, 2)
-            if is_board(fit_corners(picture, points)):
-                best = Seen(picture, points.reshape(*meta.shape[:2], 2))
-        if once:
-            break
-    return best
+    found, corners, meta = cv2.findChessboardCornersSBWithMeta(picture, (3, 3), flags)
+    if not found:
+        return None
+    points = np.asarray(corners, float).reshape(-1, 2)
+    if not is_board(fit_corners(picture, points)):
+        return None
+    return Seen(picture, points.reshape(*meta.shape[:2], 2))
+
+
+def same_every_time() -> None:
+    """Let OpenCV's thorough finder draw the same lots: a picture shall have one verdict."""
+    import cv2
+
+    cv2.setRNGSeed(-1)
 
 
 def _around(seen: Seen, turn: int) -> str:
