@@ -10,9 +10,10 @@ from course_lib.lab.figures import (
     rays,
     straightened,
 )
-from course_lib.lab.photographs import Shot, Work, calibrate, look, shot
+from course_lib.lab.photographs import Work, calibrate, look
 from course_lib.lab.real_pairs import Checked, honest, measure_real_pairs
 from course_lib.lab.report import Result, show_report, write_report
+from course_lib.lab.shots import Shot, shot
 from course_lib.lab.supplied import SUPPLIED
 
 __all__ = [

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib.drawing import lab as draw
-from course_lib.lab.photographs import Shot, Work
+from course_lib.lab.photographs import Work
 from course_lib.lab.report import Result
+from course_lib.lab.shots import Shot
 from course_lib.measuring import point_in_space, point_on_plane
 from course_lib.remapping import undistort_picture
 

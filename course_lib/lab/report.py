@@ -22,7 +22,8 @@ from numpy.typing import NDArray
 from course_lib.display import described_picture, show_block
 from course_lib.drawing.lab.page import Length, report_page
 from course_lib.drawing.lab.sheets import thumbnail
-from course_lib.lab.photographs import Shot, Work
+from course_lib.lab.photographs import Work
+from course_lib.lab.shots import Shot
 from course_lib.measuring import Measured
 from course_lib.page import html_page
 

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib.boards import Board
-from course_lib.calibrating.looking import Photo, look_at_photos
-from course_lib.drawing.explorers.frame import Readout
+from course_lib.calibrating.looking import Photo, look_at_photo
+from course_lib.drawing.explorers.frame import Frame, Readout
 from course_lib.drawing.explorers.pointing import FINE, REACH, Pointed, marks, pointing_frame
 from course_lib.drawing.lab.sheets import thumbnail
-from course_lib.lab.photographs import Shot
+from course_lib.lab.marks import FILE, keep_marks, kept_marks
+from course_lib.lab.shots import Shot
+from course_lib.lab.words import say
 from course_lib.measuring import Measured
-from course_lib.widgets.controls import Slider
+from course_lib.widgets.controls import Control, Slider
 from course_lib.widgets.explorer import Explorer
 from course_lib.widgets.upload import UploadBox, Verdict
 
@@ -25,12 +28,36 @@ POSITIONS = 1000
 
 
 class Pointer(Explorer):
-    """Two marks in a photograph, which are dragged or moved by sliders."""
+    """Two marks in a photograph, which are dragged or moved by sliders.
+
+    Parameters
+    ----------
+    title, controls, frame
+        As of `Explorer`.
+    keep : callable
+        Is told where both marks are, shape (2, 2), px, whenever they are moved.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        controls: Sequence[Control],
+        frame: Callable[..., Frame],
+        keep: Callable[[NDArray[np.float64]], None],
+    ) -> None:
+        self._keep = keep
+        super().__init__(title, controls, frame)
 
     @property
     def ends(self) -> NDArray[np.float64]:
         """Where the marks are, shape (2, 2), px of the photograph."""
         return marks(self.state)
+
+    def _move(self, changes: Mapping[str, Any]) -> None:
+        before = self.state
+        super()._move(changes)
+        if self.state != before:
+            self._keep(self.ends)
 
 
 def upload_box(folder: str | Path, target: Board) -> UploadBox:
@@ -48,11 +75,15 @@ def upload_box(folder: str | Path, target: Board) -> UploadBox:
     UploadBox
         To be shown as the last line of a cell.
     """
-    return UploadBox("Your photographs", Path(folder), partial(_verdict, target))
+    return UploadBox("Your photographs", Path(folder), partial(_verdict, target, {}))
 
 
-def _verdict(target: Board, path: Path) -> Verdict:
-    (photo,) = look_at_photos([path], target, lambda _: None)
+def _verdict(target: Board, before: dict[Path, Photo], path: Path) -> Verdict:
+    """Return the verdict on a photograph among those that came before, and add it to them."""
+    before.pop(path, None)
+    photo = look_at_photo(path, target, list(before.values()))
+    if photo.thumbnail is not None:
+        before[path] = photo
     return Verdict(photo.name, photo.verdict, photo.used, marked(photo))
 
 
@@ -70,6 +101,7 @@ def pointer(
     start: ArrayLike | None = None,
     measure: Callable[[NDArray[np.float64]], Measured] | None = None,
     guides: Sequence[ArrayLike] = (),
+    folder: str | Path = ".",
 ) -> Pointer:
     """Return a photograph in which two places are pointed at.
 
@@ -86,6 +118,8 @@ def pointer(
         From the pixels of both marks, shape (2, 2), to a length, which is shown.
     guides : sequence of array_like, shape (N, 2)
         Lines that are drawn, px: where a mark must be.
+    folder : str or Path
+        Where a small file keeps the marks: next time they are where they were left.
 
     Returns
     -------
@@ -96,13 +130,28 @@ def pointer(
     places = np.asarray(shot.corners[[0, -1]] if start is None or shot.own else start, float)
     value = None if measure is None else partial(_readouts, measure)
     pointed = Pointed(shot.photograph, names, value, tuple(guides))
-    controls = [
+    frame = partial(pointing_frame, pointed, pointed.shown)
+    keep = partial(keep_marks, shot, names, folder=Path(folder).resolve())
+    controls = _controls(names, places, (width, height))
+    pointer = Pointer(f"Point at {names[0]} and {names[1]}", controls, frame, keep)
+    left = kept_marks(shot, names, folder)
+    if left is not None:
+        pointer.set(**{c.name: c.default for c in _controls(names, left, (width, height))})
+        say(f"The marks are where you left them (kept in {FILE}).")
+    elif shot.own:
+        say(f"In {shot.name}, nobody has moved the marks yet: drag them to {' and '.join(names)}.")
+    return pointer
+
+
+def _controls(
+    names: tuple[str, str], places: NDArray[np.float64], size: tuple[int, int]
+) -> list[Slider]:
+    """Return the sliders of both marks, which stand at their places."""
+    return [
         slider
         for i, (name, place) in enumerate(zip(names, places, strict=True), 1)
-        for slider in _sliders(i, name, place, (width, height))
+        for slider in _sliders(i, name, place, size)
     ]
-    frame = partial(pointing_frame, pointed, pointed.shown)
-    return Pointer(f"Point at {names[0]} and {names[1]}", controls, frame)
 
 
 def _sliders(

@@ -31,7 +31,8 @@ function render({ model, el }) {
 
   function show() {
     const rows = [...model.get("rows"), ...own];
-    list.replaceChildren(...rows.map(item));
+    const ordered = [...rows.filter((row) => !row.used), ...rows.filter((row) => row.used)];
+    list.replaceChildren(...ordered.map(item));
     root.dataset.rows = rows.length;
   }
 
@@ -46,7 +47,8 @@ function render({ model, el }) {
   function say(now) {
     const rows = [...model.get("rows"), ...own];
     const used = rows.filter((row) => row.used).length;
-    const counted = `${used} of ${rows.length} can be used.`;
+    const aside = rows.length > used ? " Those that cannot come first, with the reason." : "";
+    const counted = `${used} of ${rows.length} can be used.${aside}`;
     status.textContent = now ? `${now} ${rows.length ? counted : ""}` : `All are looked at: ${counted} Run the next cell.`;
     Object.assign(bar, { hidden: !now, value: total ? done / total : 0 });
   }

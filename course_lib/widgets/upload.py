@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
@@ -91,18 +91,22 @@ class UploadBox(anywidget.AnyWidget):  # type: ignore[misc]
             As `look` gave it; what has no thumbnail is no photograph, and not kept.
         """
         name = plain_name(name)
-        path = self._folder / name
         try:
             self._folder.mkdir(parents=True, exist_ok=True)
+            path = free_place(self._folder / name, content)
+            new = not path.exists()
             path.write_bytes(content)
         except OSError as error:
             why = f"It cannot be written into {_shown(self._folder)} ({error.strerror})."
             verdict = Verdict(name, why, False)
         else:
             verdict = self._look(path)
-            if verdict.thumbnail is None:  # no photograph
+            if verdict.thumbnail is None and new:  # no photograph
                 path.unlink()
-        self.rows = [*(row for row in self.rows if row["name"] != name), _row(verdict)]
+            if verdict.thumbnail is not None and path.name != name:
+                other = f"It came as {name}, as another photograph is called already; both are kept"
+                verdict = replace(verdict, words=f"{verdict.words} {other}.")
+        self.rows = [*(row for row in self.rows if row["name"] != verdict.name), _row(verdict)]
         return verdict
 
     def _receive(self, _: object, content: Mapping[str, Any], buffers: Sequence[Any]) -> None:
@@ -137,6 +141,15 @@ class UploadBox(anywidget.AnyWidget):  # type: ignore[misc]
         items = "".join(f"<li>{escape(line)}</li>" for line in words)
         data["text/html"] = f"<p><b>{escape(title)}</b></p><ul>{items}</ul>"
         return data | {"text/plain": "\n".join([title, *words])}, metadata
+
+
+def free_place(path: Path, content: bytes) -> Path:
+    """Return where a file is kept: ``IMG_1 (2).jpg`` if another one is called ``IMG_1.jpg``."""
+    place, number = path, 1
+    while place.exists() and place.read_bytes() != content:
+        number += 1
+        place = path.with_stem(f"{path.stem} ({number})")
+    return place
 
 
 def plain_name(name: str) -> str:

@@ -17,8 +17,8 @@ from types import SimpleNamespace
 from course_lib.widgets.lab import pointer
 picture = np.full((600, 800, 3), 200, np.uint8)
 picture[300:, 400:] = 60
-card = pointer(SimpleNamespace(photograph=picture, own=False), ("left end", "right end"),
-               [(100, 100), (390, 310)])
+shot = SimpleNamespace(name="desk.jpg", photograph=picture, own=False)
+card = pointer(shot, ("left end", "right end"), [(100, 100), (390, 310)])
 card"""
 
 
@@ -51,17 +51,17 @@ def test_each_photograph_gets_its_verdict(page, lab, files):
     box.locator("input[type=file]").set_input_files([str(file) for file in files])
     box.get_by_text("All are looked at: 1 of 5 can be used.").wait_for(timeout=90_000)
     rows = box.locator("li").all()
-    assert [row.locator("b").inner_text() for row in rows] == [
-        "✓ IMG_1.jpg",
+    assert [row.locator("b").inner_text() for row in rows] == [  # what must be done comes first
         "✗ IMG_2.jpg",
         "✗ IMG_3.png",
         "✗ IMG_4.HEIC",
         "✗ IMG_5.jpg",
+        "✓ IMG_1.jpg",
     ]
     words = [row.inner_text() for row in rows]
-    assert "blurred" in words[1]
-    assert "No checkerboard" in words[2]
-    assert [row.locator("img").count() for row in rows] == [1, 1, 1, 0, 0]
+    assert "blurred" in words[0]
+    assert "No checkerboard" in words[1]
+    assert [row.locator("img").count() for row in rows] == [1, 1, 0, 0, 1]
     kept = {file.name: file.read_bytes() for file in (lab.folder / "twelve/photographs").iterdir()}
     assert kept == {file.name: file.read_bytes() for file in files[:3]}
 

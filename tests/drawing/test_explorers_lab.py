@@ -12,7 +12,7 @@ from course_lib.widgets.lab import pointer
 RNG = np.random.default_rng(2)
 PHOTOGRAPH = RNG.integers(0, 256, (600, 800, 3), np.uint8)
 CORNERS = np.array([(320.0, 300), (400, 310), (480, 320.5)])
-SHOT = SimpleNamespace(photograph=PHOTOGRAPH, corners=CORNERS, own=False)
+SHOT = SimpleNamespace(name="desk.jpg", photograph=PHOTOGRAPH, corners=CORNERS, own=False)
 START = [(100.0, 80.5), (300.2, 310.0)]
 
 
@@ -23,8 +23,9 @@ def length(ends):
 
 
 @pytest.fixture
-def explorer():
-    return pointer(SHOT, ("left end", "right end"), START, length, [[(0, 0), (800, 600)]])
+def explorer(tmp_path):
+    guides = [[(0, 0), (800, 600)]]
+    return pointer(SHOT, ("left end", "right end"), START, length, guides, tmp_path)
 
 
 def test_it_starts_where_it_is_told(explorer):
@@ -35,7 +36,7 @@ def test_it_starts_where_it_is_told(explorer):
 
 
 def test_in_a_readers_photograph_the_marks_begin_at_the_target():
-    own = SimpleNamespace(photograph=PHOTOGRAPH, corners=CORNERS, own=True)
+    own = SimpleNamespace(name="desk.jpg", photograph=PHOTOGRAPH, corners=CORNERS, own=True)
     for explorer in (pointer(SHOT), pointer(own, start=START)):
         np.testing.assert_allclose(explorer.ends, CORNERS[[0, 2]])
 
@@ -115,7 +116,9 @@ def test_marks_on_one_place_say_why_there_is_no_length(explorer):
 
 
 def test_a_phones_photograph_has_a_thousand_places_to_a_slider():
-    large = SimpleNamespace(photograph=np.zeros((3000, 4000, 3), np.uint8), own=False)
+    large = SimpleNamespace(
+        name="desk.jpg", photograph=np.zeros((3000, 4000, 3), np.uint8), own=False
+    )
     explorer = pointer(large, start=[(3999, 2999), (2001.3, 17.7)])
     assert len(explorer._controls["u1"].positions) == 1000
     np.testing.assert_allclose(explorer.ends, [(3999, 2999), (2001.3, 17.7)])
@@ -126,3 +129,55 @@ def test_a_still_says_the_same_in_words(explorer):
     data, _ = explorer._repr_mimebundle_()
     assert "left end is marked at (100.0, 80.5) px" in data["text/plain"]
     assert data["text/html"].startswith('<img alt="')
+
+
+class TestKept:
+    """Marks are where they were left, in another run of the cell or on another day."""
+
+    ENDS = ("left end", "right end")
+
+    def test_a_moved_mark_is_there_again(self, explorer, tmp_path, capsys):
+        assert capsys.readouterr().out == ""
+        assert not list(tmp_path.iterdir())  # nothing moved, nothing kept
+        explorer.set(u1=700, du1=-3.4)
+        again = pointer(SHOT, self.ENDS, START, folder=tmp_path)
+        np.testing.assert_allclose(again.ends, [(696.6, 80.5), START[1]])
+        assert "where you left them (kept in lab_marks.json)" in capsys.readouterr().out
+        again.reset()
+        np.testing.assert_allclose(again.ends, START)
+
+    def test_other_marks_and_other_photographs_are_apart(self, explorer, tmp_path):
+        explorer.set(u1=700)
+        own = SimpleNamespace(name="desk.jpg", own=True, photograph=PHOTOGRAPH, corners=CORNERS)
+        other = SimpleNamespace(name="b.jpg", own=False, photograph=PHOTOGRAPH, corners=CORNERS)
+        for shot, names in ((own, self.ENDS), (other, self.ENDS), (SHOT, ("a", "b"))):
+            assert pointer(shot, names, folder=tmp_path).ends[0, 0] == 320
+        pointer(own, self.ENDS, folder=tmp_path).set(u2=500)
+        assert pointer(SHOT, self.ENDS, START, folder=tmp_path).ends[0, 0] == 700
+        assert pointer(own, self.ENDS, START, folder=tmp_path).ends[1, 0] == 500
+
+    def test_in_own_photographs_one_is_told_to_move_them(self, tmp_path, capsys):
+        own = SimpleNamespace(name="IMG_1.jpg", own=True, photograph=PHOTOGRAPH, corners=CORNERS)
+        pointer(own, self.ENDS, START, folder=tmp_path)
+        said = " ".join(capsys.readouterr().out.split())
+        assert "nobody has moved the marks yet: drag them to left end and right end." in said
+
+    @pytest.mark.parametrize("mark", ["{", "[]", '"a"', "[[1, 2]]", "[[1, 2], [NaN, 3]]"])
+    def test_another_file_of_that_name_does_no_harm(self, explorer, tmp_path, mark):
+        explorer.set(u1=700)
+        (path,) = tmp_path.iterdir()
+        path.write_text(f'{{"supplied desk.jpg: left end, right end": {mark}}}')
+        again = pointer(SHOT, self.ENDS, START, folder=tmp_path)
+        np.testing.assert_allclose(again.ends, START)
+
+    def test_where_nothing_can_be_written_a_mark_moves_all_the_same(self, tmp_path):
+        (tmp_path / "lab_marks.json").mkdir()
+        explorer = pointer(SHOT, self.ENDS, START, folder=tmp_path)
+        explorer.set(u1=700)
+        assert explorer.ends[0, 0] == 700
+
+
+def test_a_mark_outside_the_photograph_is_told(explorer):
+    explorer.set(u1=0, du1=-5)
+    said = explorer.frame_now().readouts[-1]
+    assert (said.label, said.value) == ("Outside the photograph", "left end")

@@ -12,6 +12,12 @@ from course_lib.measuring import distance_in_space, distance_on_plane, rays_miss
 from data_generators import desk
 
 K = desk.intrinsics((640, 480))
+MEASURING = ("m1.jpg", "m2.jpg", "m3.jpg")
+
+
+def heard(capsys):
+    """Return what was said, however its lines are folded."""
+    return " ".join(capsys.readouterr().out.split())
 
 
 def truth(aim, points):
@@ -62,8 +68,9 @@ def test_a_length_in_space_is_right(work):
 def test_without_photographs_the_supplied_ones_take_their_place(capsys, tmp_path, no_supplied):
     for place in (tmp_path / "nowhere", tmp_path):
         work = lab.look("mine", place, desk.TARGET)
-        said = capsys.readouterr().out
+        said = heard(capsys)
         assert not work.own
+        assert work.instead
         assert "The supplied photographs take their place." in said
         assert said.startswith(("There is no folder", "No photographs in"))
     assert len(work.photos) == len(no_supplied)
@@ -73,8 +80,9 @@ def test_too_few_photographs_are_counted(capsys, tmp_path, folder, no_supplied):
     for name in ("t1.jpg", "t2.jpg", "m1.jpg"):
         (tmp_path / name).write_bytes((folder / name).read_bytes())
     lab.look("mine", tmp_path, desk.TARGET, ("m1.jpg", "m9.jpg"))
-    said = capsys.readouterr().out
+    said = heard(capsys)
     assert "2 photographs can be used to calibrate, 3 are needed" in said
+    assert "those to measure in (1) are not counted" in said
     assert "There is no m9.jpg among them" in said
 
 
@@ -82,12 +90,13 @@ def test_another_board_is_said_not_raised(capsys, tmp_path, folder, no_supplied)
     for name in ("t0.jpg", "t1.jpg", "t2.jpg"):
         (tmp_path / name).write_bytes((folder / name).read_bytes())
     assert not lab.look("mine", tmp_path, Checkerboard(8, 6, 25.0)).own
-    assert "is it --board 9x6?" in capsys.readouterr().out
+    said = heard(capsys)
+    assert "s it Checkerboard(9, 6)?" in said, said
 
 
 def test_another_word_means_supplied(capsys, no_supplied):
     assert not lab.look("my own", "", desk.TARGET).own
-    assert 'photographs is "mine" or "supplied", got \'my own\'' in capsys.readouterr().out
+    assert 'photographs is "mine" or "supplied", got \'my own\'' in heard(capsys)
 
 
 def test_photographs_that_tell_no_camera_are_replaced(capsys, work, no_supplied):
@@ -96,15 +105,50 @@ def test_photographs_that_tell_no_camera_are_replaced(capsys, work, no_supplied)
     again = lab.calibrate(replace(work, photos=tuple(alike)))
     assert not again.own
     assert again.camera.rms < 0.1
-    assert "The supplied photographs take their place." in capsys.readouterr().out
+    assert "The supplied photographs take their place." in heard(capsys)
+    assert again.instead
 
 
 def test_a_photograph_that_cannot_be_used_is_replaced(capsys, work):
     assert lab.shot(work, "torn.jpg").name == "m1.jpg"
-    said = capsys.readouterr().out
+    said = heard(capsys)
     assert "torn.jpg cannot be measured in. The file is damaged" in said
+    assert "m1.jpg is taken in its place: do not use what is measured there." in said
     lab.shot(work, "m7.jpg")
-    assert "There is no such file." in capsys.readouterr().out
+    assert "There is no such file. m1.jpg is" in heard(capsys)
+    lab.shot(work, "M3.JPEG")
+    assert "There is no such file. Do you mean m3.jpg?" in heard(capsys)
+
+
+def test_a_length_in_space_gets_two_different_photographs(capsys, work):
+    first = lab.shot(work, "m2.jpg")
+    assert lab.shot(work, "m3.jpg", besides=first).name == "m3.jpg"
+    assert heard(capsys) == ""
+    assert lab.shot(work, "m2.jpg", besides=first).name != "m2.jpg"
+    assert "It is the first picture already" in heard(capsys)
+
+
+def test_for_three_wrong_names_there_are_three_photographs(capsys, work):
+    names = ("desk_15.jpg", "desk_16.jpg", "desk_17.jpg")
+    wrong = replace(work, measuring=names)
+    assert len({lab.shot(wrong, name).name for name in names}) == 3
+    assert heard(capsys).count("There is no such file.") == 3
+
+
+def test_supplied_photographs_stand_in_for_those_to_measure_in(
+    capsys, tmp_path, monkeypatch, folder
+):
+    """Also where own photographs are called as supplied ones are."""
+    paths = tuple(folder / name for name in (*(f"t{n}.jpg" for n in range(4)), *MEASURING))
+    monkeypatch.setattr(photographs, "supplied_photographs", lambda: paths)
+    monkeypatch.setattr(photographs, "SUPPLIED", replace(lab.SUPPLIED, measuring=MEASURING))
+    names = ("IMG_1.JPG", "m3.jpg", "m1.jpg")
+    work = lab.calibrate(lab.look("mine", tmp_path / "nowhere", desk.TARGET, names))
+    assert "m1.jpg for IMG_1.JPG, m2.jpg for m3.jpg, m3.jpg for m1.jpg" in heard(capsys)
+    assert [lab.shot(work, name).name for name in names] == list(MEASURING)
+    assert heard(capsys) == ""
+    same = lab.look("supplied", "", desk.TARGET, MEASURING[::-1])
+    assert same.stand_ins == {}  # these are there: each for itself
 
 
 def test_before_it_is_calibrated_there_is_no_camera(work):

@@ -88,6 +88,24 @@ def test_the_same_file_again_replaces_its_row(box):
     assert [(row["name"], row["used"]) for row in box.rows] == [("x.jpg", True)]
 
 
+def test_two_photographs_of_one_name_are_both_kept(box, tmp_path):
+    for content in (b"picture one", b"picture two", b"picture one", b"picture two", b"a letter"):
+        drop(box, "image0.jpeg", content)
+    kept = {path.name: path.read_bytes() for path in (tmp_path / "deep/mine").iterdir()}
+    assert kept == {"image0.jpeg": b"picture one", "image0 (2).jpeg": b"picture two"}
+    said = {row["name"]: row["words"] for row in box.rows}
+    assert "both are kept" in said["image0 (2).jpeg"]
+    assert "both are kept" not in said["image0.jpeg"]
+
+
+def test_a_file_that_was_there_is_never_taken_away(box, tmp_path):
+    mine = tmp_path / "deep/mine/notes.txt"
+    mine.parent.mkdir(parents=True)
+    mine.write_bytes(b"dear all")
+    drop(box, "notes.txt", b"dear all")
+    assert mine.read_bytes() == b"dear all"
+
+
 def test_a_folder_that_cannot_be_written_is_told(box, tmp_path):
     (tmp_path / "deep").write_text("a file where a folder should be")
     drop(box, "x.jpg", b"picture")

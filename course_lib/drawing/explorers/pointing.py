@@ -99,7 +99,11 @@ def _numbers(pointed: Pointed, places: Floats) -> tuple[Readout, ...]:
         for name, (u, v) in zip(pointed.names, places.tolist(), strict=True)
     )
     measured = pointed.value(places) if pointed.value else ()
-    return (*first, Readout("Apart in the picture", "", f"{apart:.1f}", "px"), *measured)
+    height, width = pointed.photograph.shape[:2]
+    inside = ((places >= -0.5) & (places <= (width - 0.5, height - 0.5))).all(axis=1)
+    out = [name for name, within in zip(pointed.names, inside, strict=True) if not within]
+    told = (Readout("Outside the photograph", "", " and ".join(out)),) if out else ()
+    return (*first, Readout("Apart in the picture", "", f"{apart:.1f}", "px"), *measured, *told)
 
 
 def _whole(pointed: Pointed, shown: Pixels, places: Floats) -> Picture:
