@@ -42,7 +42,8 @@ def demo(options: argparse.Namespace) -> int:
     _run(term, "course", "report", chapter)
     _run(term, "course", "export", chapter)
     print(_where_to_look(term, chapter, members))
-    print(f"\nAll of this took {time.monotonic() - start:.0f} s. To remove it: rm -r {term}")
+    made = term if options.directory else term.parent
+    print(f"\nAll of this took {time.monotonic() - start:.0f} s. To remove it: rm -r {made}")
     return 0
 
 
