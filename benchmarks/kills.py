@@ -186,12 +186,12 @@ def _kill(grader: int, victim: str, scene: Scene, rng: random.Random) -> bool:
 
 
 def children(process: int) -> list[int]:
-    """Return the processes that a process has started."""
-    try:
-        listed = Path(f"/proc/{process}/task/{process}/children").read_text()
-    except OSError:
-        return []
-    return [int(word) for word in listed.split() if not _is_helper(int(word))]
+    """Return the processes that a process, or one of its threads, has started."""
+    listed = []
+    for path in Path(f"/proc/{process}/task").glob("*/children"):
+        with suppress(OSError):  # a thread that has ended
+            listed += [int(word) for word in path.read_text().split()]
+    return [child for child in listed if not _is_helper(child)]
 
 
 def _is_helper(process: int) -> bool:
