@@ -227,15 +227,10 @@ def _lens_labels(places: list[float]) -> list[Label]:
 
 
 def _focal_labels(f1: float, count: int) -> list[Label]:
-    """Return the names of the first lens's focal points, of which a pair has its own.
-
-    They stand above the axis, as the name of a real image is below.
-    """
-    names = ("F", "F′") if count == 1 else ("F₁", "F₁′")
-    return [
-        Label(name, _at(x, 0, 0, -14), "camera", "middle")
-        for x, name in zip((-f1, f1), names, strict=True)
-    ]
+    """Return the names of the first lens's focal points, above the axis: images are below."""
+    which = "₁" if count > 1 else ""  # a pair of lenses has focal points of its own
+    names = {-f1: f"F{which}", f1: f"F{which}′"}
+    return [Label(name, _at(x, 0, 0, -14), "camera", "middle") for x, name in names.items()]
 
 
 def _object_label(Z: float) -> Label:
@@ -278,8 +273,7 @@ def _system_numbers(focal: float, front: float, back: float) -> tuple[Readout, .
 
 def _quantity(value: float, digits: int, unit: str) -> tuple[str, str]:
     """Return a number as text and its unit; infinity has none."""
-    text = _text(value, digits)
-    return text, "" if text == "∞" else unit
+    return _text(value, digits), "" if abs(value) > FAR else unit
 
 
 def _text(value: float, digits: int) -> str:
