@@ -160,7 +160,7 @@ def _good(simulation: Simulation) -> Iterator[Submission]:
 
 
 def _misconceived(simulation: Simulation) -> Iterator[Submission]:
-    wrong = {e.name: wrong_answers(e) for e in simulation.exercises}
+    wrong = {e.name: [*wrong_answers(e)] for e in simulation.exercises}
     done = {e.name: right(e) for e in simulation.exercises}
     for k in range(max(map(len, wrong.values()))):
         typed = done | {name: answers[k] for name, answers in wrong.items() if k < len(answers)}
@@ -186,7 +186,7 @@ def _pasted(simulation: Simulation) -> Iterator[Submission]:
     """Hand in copies of cells: what a check met on the way from top to bottom counts."""
     first, second, third, fourth = simulation.exercises[:4]
     done = {e.name: right(e) for e in simulation.exercises}
-    bad = {e.name: wrong_answers(e)[0] for e in (first, second)}
+    bad = {e.name: next(wrong_answers(e)) for e in (first, second)}
     notebook = _read(simulation.hand_in("", {**done, second.name: bad[second.name]}))
     cells, given = by_label(notebook), by_label(simulation.released)
     paste_below(notebook, cells["setup"], cells["setup"].source)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from inspect import signature
@@ -47,13 +47,11 @@ def misconceived(exercise: Exercise, misconception: Misconception) -> Typed:
     return Typed(_source(exercise, misconception.variant), points, misconception.hint)
 
 
-def wrong_answers(exercise: Exercise) -> list[Typed]:
-    """Return the misconceptions whose points are known before the numbers are."""
-    found = []
+def wrong_answers(exercise: Exercise) -> Iterator[Typed]:
+    """Yield the misconceptions whose points are known before the numbers are."""
     for misconception in exercise.misconceptions:
         with suppress(UnsteadyError):
-            found.append(misconceived(exercise, misconception))
-    return found
+            yield misconceived(exercise, misconception)
 
 
 def expected_points(exercise: Exercise, function: Callable[..., Any]) -> float:
