@@ -21,6 +21,13 @@ shot = SimpleNamespace(name="desk.jpg", photograph=picture, own=False)
 card = pointer(shot, ("left end", "right end"), [(100, 100), (390, 310)])
 card"""
 
+#: Drops a file as a mouse does; files named to the browser do not go this way.
+DROP = """(box) => {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File(["dear all"], "letter.txt"));
+  box.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+}"""
+
 
 @pytest.fixture(scope="module")
 def page(lab, lab_page):
@@ -39,8 +46,8 @@ def files(tmp_path_factory):
             *desk.pose_towards(*aim), SIZE, np.random.default_rng(number), blur
         )
         Image.fromarray(view.picture).save(folder / f"IMG_{number}.jpg")
-    grey = Image.fromarray(np.full((800, 1000, 3), 120, np.uint8))
-    grey.save(folder / "IMG_3.png", compress_level=0)  # 2.4 MB: more than one part
+    grey = Image.fromarray(np.full((750, 1000, 3), 120, np.uint8))
+    grey.save(folder / "IMG_3.png", compress_level=0)  # 2.3 MB: more than one part
     (folder / "IMG_4.HEIC").write_bytes(b"\0\0\0\x18ftypheic" + bytes(5000))
     (folder / "IMG_5.jpg").write_text("a letter")
     return sorted(folder.iterdir())
@@ -62,6 +69,8 @@ def test_each_photograph_gets_its_verdict(page, lab, files):
     assert "blurred" in words[0]
     assert "No checkerboard" in words[1]
     assert [row.locator("img").count() for row in rows] == [1, 1, 0, 0, 1]
+    page.evaluate(DROP, box.locator(".cu-box").element_handle())
+    box.locator("li b").get_by_text("✗ letter.txt").wait_for()
     kept = {file.name: file.read_bytes() for file in (lab.folder / "twelve/photographs").iterdir()}
     assert kept == {file.name: file.read_bytes() for file in files[:3]}
 
