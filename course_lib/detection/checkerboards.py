@@ -38,6 +38,8 @@ from course_lib.detection.result import (
 MANY, STRONG = 0.8, 0.4
 #: So much of all cells is of the right shade; all of it on the real photographs that were tried.
 UNIFORM = 0.9
+#: Squares of so many px are not overlooked in one size of a picture and found in another.
+LARGE = 20.0
 #: Blur at which corners are fitted best, px.
 SHARP = 1.2
 
@@ -112,7 +114,7 @@ def find_corners(grey: Picture, board: Checkerboard) -> tuple[Array | None, Seen
                 return None, part_of_board(grey)  # the other sizes are not worth their time
             if seen and seen.is_of(board):
                 corners = turned(seen.grid, board.columns, board.rows).reshape(-1, 2)
-            elif seen and number > 0:
+            elif seen and number > 0 and seen.square < LARGE:
                 corners = _thorough(picture, board)
         if corners is not None:
             if ratio.max() > 1:

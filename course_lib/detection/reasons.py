@@ -34,6 +34,12 @@ class Seen(NamedTuple):
         """How many corners it has."""
         return int(self.grid.shape[0] * self.grid.shape[1])
 
+    @property
+    def square(self) -> float:
+        """How long the sides of its squares are, px."""
+        steps = [np.linalg.norm(np.diff(self.grid, axis=k), axis=2).ravel() for k in (0, 1)]
+        return float(np.median(np.concatenate(steps)))
+
     def is_of(self, board: Checkerboard) -> bool:
         """Return whether it has as many columns and rows as a board, in whichever order."""
         return sorted(self.grid.shape[:2]) == sorted((board.columns, board.rows))
