@@ -5,7 +5,8 @@ import json
 import pytest
 from nbgrader.api import Gradebook
 
-from course_lib.grading.assignment import read_assignment
+from course_lib.grading import recording
+from course_lib.grading.assignment import fingerprint, read_assignment
 from course_lib.grading.one import Graded
 from course_lib.grading.recording import Recorder, is_graded
 
@@ -18,8 +19,9 @@ def assignment(new_term):
     return read_assignment(new_term("recorded", ["right"]), ASSIGNMENT)
 
 
-def graded(**more):
-    return Graded("right", "mark", notebooks={ASSIGNMENT: b"{}\n"}, **more)
+def graded(assignment, **more):
+    mark = fingerprint(assignment.submitted("right"), [ASSIGNMENT])
+    return Graded("right", mark, notebooks={ASSIGNMENT: b"{}\n"}, **more)
 
 
 def save(assignment, what):
@@ -28,7 +30,7 @@ def save(assignment, what):
 
 
 def test_all_is_written_and_nothing_is_left_over(assignment):
-    saved = save(assignment, graded(notes=("half a letter \udc80",)))
+    saved = save(assignment, graded(assignment, notes=("half a letter \udc80",)))
     assert saved.trouble == ""
     final = assignment.autograded("right")
     assert (final / f"{ASSIGNMENT}.ipynb").read_bytes() == b"{}\n"
@@ -38,11 +40,41 @@ def test_all_is_written_and_nothing_is_left_over(assignment):
     assert "notebooks" not in record
 
 
+class Killed(BaseException):
+    """What a kill is to a program: nothing handles it."""
+
+
+@pytest.mark.parametrize("step", ["copy_beside", "_penalize", "_write", "_put_in_place"])
+def test_ended_between_any_two_steps_it_is_done_again(assignment, step, monkeypatch):
+    def end(*_):
+        raise Killed
+
+    cell = "pinhole-dolly_zoom-check"
+    what = graded(assignment, grades={ASSIGNMENT: {cell: 4.0}})
+    where = recording if hasattr(recording, step) else Recorder
+    with monkeypatch.context() as patch:
+        patch.setattr(where, step, end)
+        with pytest.raises(Killed):
+            save(assignment, what)
+    assert not is_graded(assignment, "right")
+    assert not assignment.autograded("right").exists()
+    with Gradebook(assignment.db_url, assignment.course_id) as gradebook:
+        before = [s.score for s in gradebook.assignment_submissions(ASSIGNMENT)]
+    assert before == ([] if step in ("copy_beside", "_penalize") else [4.0])  # all or nothing
+    save(assignment, what)
+    assert is_graded(assignment, "right")
+    with Gradebook(assignment.db_url, assignment.course_id) as gradebook:
+        assert [s.score for s in gradebook.assignment_submissions(ASSIGNMENT)] == [4.0]
+    assert [path.name for path in assignment.autograded("right").parent.iterdir()] == [ASSIGNMENT]
+
+
 def test_a_file_in_the_place_of_a_folder_costs_its_own_submission_only(assignment):
     (assignment.source() / "pictures").mkdir()
     (assignment.source() / "pictures/one.txt").write_text("")
     (assignment.submitted("right") / "pictures").write_text("")
-    saved = save(assignment, graded(grades={ASSIGNMENT: {"pinhole-dolly_zoom-check": 4.0}}))
+    saved = save(
+        assignment, graded(assignment, grades={ASSIGNMENT: {"pinhole-dolly_zoom-check": 4.0}})
+    )
     assert "The notebook could not be graded (FileExistsError" in saved.trouble
     assert not assignment.autograded("right").exists()
     assert not is_graded(assignment, "right")
@@ -52,6 +84,6 @@ def test_a_file_in_the_place_of_a_folder_costs_its_own_submission_only(assignmen
 
 def test_a_time_that_is_none_counts_as_no_time(assignment):
     (assignment.submitted("right") / "timestamp.txt").write_text("yesterday, honestly")
-    assert save(assignment, graded()).trouble == ""
+    assert save(assignment, graded(assignment)).trouble == ""
     with Gradebook(assignment.db_url, assignment.course_id) as gradebook:
         assert gradebook.find_submission(ASSIGNMENT, "right").timestamp is None
