@@ -17,6 +17,7 @@ from benchmarks import (
     grading,
     latency,
     lens,
+    photographs,
 )
 from benchmarks.table import RESULTS, Row, write_section
 
@@ -30,6 +31,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "defocusing": compute.defocusing,
     "calibrating": calibration.calibrating,
     "distorting": lens.distorting,
+    "looking": photographs.looking,
     "refining": corners.refining,
     "estimating": estimate.estimating,
     "epipolar": epipolar.epipolar,

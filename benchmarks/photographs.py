@@ -1,0 +1,81 @@
+"""What it takes until photographs of a phone, of 12 megapixels, have their verdicts."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from benchmarks.table import Row
+
+#: Two of three are good; the others are all that people drop in with them.
+GOOD, SIZE = 10, (4000, 3000)
+MOST_SECONDS, MOST_MB = 1.5, 1000
+
+
+def looking() -> list[Row]:
+    """Measure the verdicts of 20 files by processor time, with one thread, and the memory."""
+    with tempfile.TemporaryDirectory() as folder:
+        # Drawing them takes more memory than looking at them, so it is done elsewhere.
+        _alone("write", folder)
+        return [Row(*cells) for cells in json.loads(_alone("measured", folder))]
+
+
+def _alone(what: str, folder: str) -> bytes:
+    """Run a function of this module in a process of its own; return what it prints."""
+    code = f"from benchmarks import photographs as p; p.{what}({folder!r})"
+    alone = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
+    command = [sys.executable, "-c", code]
+    return subprocess.run(command, check=True, env=alone, capture_output=True).stdout
+
+
+def write(folder: str) -> None:
+    """Write the files; photographs are drawn at half their size and enlarged."""
+    import numpy as np
+    from PIL import Image
+
+    from data_generators.phone import write_phone_files
+
+    half = SIZE[0] // 2, SIZE[1] // 2
+    for file in write_phone_files(
+        Path(folder), np.random.default_rng(0), good=GOOD, image_size=half
+    ):
+        if file.what in ("HEIC", "letter"):
+            continue
+        with Image.open(file.path) as picture:
+            large = picture.resize(
+                (2 * picture.width, 2 * picture.height), Image.Resampling.BICUBIC
+            )
+            large.save(file.path, quality=92, exif=picture.getexif())
+
+
+def measured(folder: str) -> None:
+    """Print the rows: the slowest verdict and the usual one, and the memory of all."""
+    import resource
+    import statistics
+    import time
+
+    import cv2
+
+    from course_lib.calibrating.looking import Photo, look_at_photo
+    from data_generators.desk import TARGET
+
+    cv2.setNumThreads(1)
+    seconds, photos = [], list[Photo]()
+    for path in sorted(Path(folder).iterdir()):
+        start = time.process_time()
+        photos.append(look_at_photo(path, TARGET, photos))
+        seconds.append(time.process_time() - start)
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    used = sum(photo.used for photo in photos)
+    what = f"a verdict, of {len(photos)} files of 12 Mpx as they come ({used} are used)"
+    rows: list[list[Any]] = [
+        [f"{what}: the slowest", max(seconds), "s", "", None, f"≤ {MOST_SECONDS:g} s"],
+        [f"{what}: median", statistics.median(seconds), "s"],
+        ["memory of the process after all of them", memory, "MB", "", None, f"≤ {MOST_MB} MB"],
+    ]
+    print(json.dumps(rows))
