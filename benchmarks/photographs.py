@@ -12,7 +12,7 @@ from typing import Any
 
 from benchmarks.table import Row
 
-#: Two of three are good; the others are all that people drop in with them.
+#: So many good ones; the others are all that people drop in with them.
 GOOD, SIZE = 10, (4000, 3000)
 MOST_SECONDS, MOST_MB = 1.5, 1000
 
