@@ -5,6 +5,8 @@ import warnings
 import numpy as np
 import pytest
 
+from course_lib.exercises import find
+from course_lib.exercises.planning.aperture_misconceptions import window
 from course_lib.judging import (
     Answer,
     Close,
@@ -230,3 +232,16 @@ def test_other_sizes_are_far_apart(given, outcome):
     assert _far_apart(Close(), given, outcome)
     assert not _far_apart(Close(), given, given)
     assert not any(way(given, outcome) is None for way in (Close(), Exactly()))
+
+
+def test_who_refuses_in_own_words_gets_the_hint_of_a_wrong_answer_that_refuses():
+    exercise = find("planning.aperture_window")
+
+    def mine(f_mm, near, far, spot_um, wavelength_um):
+        least, most = window(f_mm, near, far, spot_um, wavelength_um)
+        if least > most:
+            raise ValueError("these are other words than those of the exercise")
+        return least, most
+
+    cases = pose(exercise, 7)
+    assert judge(exercise, cases, answer(exercise, mine, cases)).misconceptions == ("refused",)
