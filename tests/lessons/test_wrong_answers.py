@@ -70,7 +70,7 @@ def answered(chapter):
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # what Python says of a student's division
-@pytest.mark.parametrize("exercise", FUNCTIONS, ids=lambda e: e.function_name)
+@pytest.mark.parametrize("exercise", FUNCTIONS, ids=lambda e: e.name)
 def test_cells_survive_wrong_answers(exercise):
     code, scope = answered(exercise.chapter)
     name = exercise.function_name
