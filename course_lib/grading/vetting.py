@@ -14,11 +14,13 @@ from typing import Any, get_args
 
 import numpy as np
 
+from course_lib.checks import DegenerateConfigurationError
 from course_lib.judging import Answer, Case, Exercise, Verdict, judge
 from course_lib.judging.answering import Status
 
-#: Exceptions of other libraries that are named; all of Python's own are.
+#: Exceptions of libraries that are named; all of Python's own are.
 NAMED = {"LinAlgError", "AxisError", "UFuncTypeError", "QhullError"}
+NAMED |= {DegenerateConfigurationError.__name__}
 EXCEPTIONS = NAMED | {
     name
     for name, kind in vars(builtins).items()

@@ -40,6 +40,7 @@ def test_a_value_that_was_not_given_is_none():
 
 @pytest.mark.parametrize(
     ("error", "shown"), [("ValueError", "ValueError"), ("LinAlgError", "LinAlgError"),
+                         ("DegenerateConfigurationError", "DegenerateConfigurationError"),
                          ("E0_123", OWN_ERROR), (7, OWN_ERROR), (None, OWN_ERROR)],
 )  # fmt: skip
 def test_only_known_exceptions_are_named(error, shown):
