@@ -32,21 +32,10 @@ def scipy_minimum(start, seen, robust=None):
         far = np.sqrt(np.maximum(2 * robust * sizes - robust**2, 0))
         return np.where(sizes > robust, far, sizes)
 
-    def differences(x, h=1e-6):
-        """Move one number of all cameras, or of all points, at once: each residual has one."""
-        J = np.zeros((len(residuals(x)), len(x)))
-        for j in range(9):
-            step, owner = np.zeros(len(x)), seen.cameras if j < 6 else seen.points
-            columns = np.arange(j, 6 * v, 6) if j < 6 else np.arange(6 * v + j - 6, len(x), 3)
-            step[columns] = h
-            change = (residuals(x + step) - residuals(x - step)) / (2 * h)
-            rows = np.arange(len(change))
-            J[rows, columns[np.resize(owner, len(change))]] = change
-        return J
-
     x = np.zeros(6 * v + 3 * len(start.points))
-    tight = {"ftol": 1e-12, "xtol": 1e-12, "gtol": 1e-12}
-    fit = least_squares(residuals, x, differences, x_scale="jac", max_nfev=60, **tight)
+    fit = least_squares(
+        residuals, x, x_scale="jac", ftol=1e-12, xtol=1e-12, gtol=1e-12, max_nfev=60
+    )
     return 2 * fit.cost
 
 
