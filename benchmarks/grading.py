@@ -1,49 +1,78 @@
-"""Grading a class: `course grade`, behind walls and judged outside, beside stock nbgrader."""
+"""Grading a class: `course grade`, behind walls and judged outside, beside nbgrader and otter."""
 
 from __future__ import annotations
 
+import json
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import cycle, islice
 from pathlib import Path
 
 import nbformat
+from nbformat import NotebookNode
 
+from benchmarks import otter
 from benchmarks.compute import clean_environment
+from benchmarks.memory import Peak
 from benchmarks.table import Row
 
 ROOT = Path(__file__).resolve().parents[1]
-ASSIGNMENT = "01_pinhole"
+ASSIGNMENT, CHAPTER = "01_pinhole", "pinhole"
 #: nbgrader as it comes: it runs every cell in a kernel and takes the points that are in it.
 STOCK = """c = get_config()
 c.CourseDirectory.course_id = "camera"
 c.Execute.timeout = 60
 """
+#: Kinds of submissions that every grader can bear.
+HONEST = ("right", "rewritten", "half-done", "untouched", "misconception")
 
 
-def grading(rounds: int = 1, submissions: int = 60) -> list[Row]:
-    """Measure a class of honest submissions to the real notebook of chapter 01."""
-    with tempfile.TemporaryDirectory() as folder:
-        term, stock = Path(folder) / "term", Path(folder) / "stock"
-        make_term(term, submissions)
-        shutil.copytree(term, stock)
-        (stock / "nbgrader_config.py").write_text(STOCK, encoding="utf-8")
-        ours, theirs = [], []
-        for _ in range(rounds):
-            ours.append(_seconds(["course", "grade", ASSIGNMENT, "--force"], term))
-            theirs.append(_seconds(["nbgrader", "autograde", ASSIGNMENT, "--force"], stock))
-        if _scores(term) != _scores(stock):
-            raise RuntimeError("the two graders do not agree on honest submissions")
-    a, b = min(ours) / submissions, min(theirs) / submissions
-    return [Row("course grade, a submission", a, "s", "nbgrader autograde", b, "≤ 0.1 ×")]
+def grading(rounds: int = 2, submissions: int = 60, otters: int = 4, many: int = 600) -> list[Row]:
+    """Measure a class of honest submissions to the real notebook of chapter 01.
+
+    Ours and nbgrader grade the same class in turns; so does otter a few of it, one by one, as
+    each costs it the same. One larger class shows whether time and memory grow with the class.
+    """
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        released = _make(folder / "class", submissions)
+        archive, student = otter.assign(released, CHAPTER, _new(folder / "otter"))
+        handed_in = _spread(folder / "class", otters)
+        ours, theirs, otters_own = [], [], []
+        for number in range(rounds):
+            ours.append(_ours(folder / "class", folder / f"ours-{number}"))
+            theirs.append(_stock(folder / "class", folder / f"stock-{number}"))
+            otters_own += [_otter(archive, student, path, folder / "otter") for path in handed_in]
+            if _scores(folder / f"ours-{number}") != _scores(folder / f"stock-{number}"):
+                raise RuntimeError("the two graders do not agree on honest submissions")
+        _make(folder / "many", many)
+        large = _ours(folder / "many", folder / "ours-many")
+    seconds = statistics.median(one for one, _ in ours) / submissions
+    peak = statistics.median(megabytes for _, megabytes in ours)
+    stock = statistics.median(theirs) / submissions
+    slow = statistics.median(otters_own)
+    what = f"course grade, {submissions} submissions: each"
+    return [
+        Row(what, seconds, "s", "nbgrader autograde, the same", stock, "≤ 0.1 ×"),
+        Row(what, seconds, "s", f"otter run, {otters} of them", slow, "≤ 0.033 ×"),
+        Row(f"course grade, {many}: each", large[0] / many, "s", what, seconds, "≤ 1.1 ×"),
+        Row(f"course grade, {many}: peak memory", large[1], "MB", what, peak, "≤ 1.1 ×"),
+    ]
 
 
-def make_term(term: Path, number: int) -> None:
-    """Make a term with a class that only handed in what every grader can bear."""
+def _new(folder: Path) -> Path:
+    folder.mkdir()
+    return folder
+
+
+def _make(term: Path, number: int) -> NotebookNode:
+    """Make a term with a class; return the notebook that it was given."""
     sys.path[:0] = [str(ROOT / "tests/exercises")]
     from second_solutions import second_solutions
 
@@ -52,17 +81,56 @@ def make_term(term: Path, number: int) -> None:
     _run(["course", "term", str(term), "--chapters", ASSIGNMENT, "--course-id", "camera"], ROOT)
     _run(["nbgrader", "generate_assignment", ASSIGNMENT], term)
     released = nbformat.read(term / "release" / ASSIGNMENT / f"{ASSIGNMENT}.ipynb", as_version=4)
-    everybody = simulate_class(released, "pinhole", second_solutions("pinhole"))
-    kinds = ("right", "rewritten", "half-done", "untouched", "misconception")
-    honest = [s for s in everybody if s.student.startswith(kinds)]
-    chosen = [
-        replace(s, student=f"{s.student}-{k}") for k, s in enumerate(cycle_of(honest, number))
-    ]
-    write_submissions(term, ASSIGNMENT, chosen)
+    everybody = simulate_class(released, CHAPTER, second_solutions(CHAPTER))
+    honest = [s for s in everybody if s.student.startswith(HONEST)]
+    chosen = enumerate(islice(cycle(honest), number))
+    handed_in = [replace(one, student=f"{one.student}-{k}") for k, one in chosen]
+    write_submissions(term, ASSIGNMENT, handed_in)
+    return released
 
 
-def cycle_of(items: list, number: int) -> list:
-    return list(islice(cycle(items), number))
+def _spread(term: Path, number: int) -> Sequence[Path]:
+    """Return the notebooks of some of a class, from its beginning to its end."""
+    found = sorted(term.glob(f"submitted/*/{ASSIGNMENT}/{ASSIGNMENT}.ipynb"))
+    return found[:: max(1, len(found) // number)][:number]
+
+
+def _ours(pristine: Path, term: Path) -> tuple[float, float]:
+    """Return seconds and peak megabytes of grading a class that nobody has graded."""
+    shutil.copytree(pristine, term)
+    start = time.perf_counter()
+    command = _program(["course", "grade", ASSIGNMENT])
+    process = subprocess.Popen(
+        command, cwd=term, env=clean_environment(), stdout=subprocess.DEVNULL
+    )
+    with Peak(process.pid) as peak:
+        if process.wait():
+            raise RuntimeError(f"course grade ended with {process.returncode}")
+    return time.perf_counter() - start, peak.megabytes
+
+
+def _stock(pristine: Path, term: Path) -> float:
+    shutil.copytree(pristine, term)
+    (term / "nbgrader_config.py").write_text(STOCK, encoding="utf-8")
+    start = time.perf_counter()
+    _run(["nbgrader", "autograde", ASSIGNMENT], term)
+    return time.perf_counter() - start
+
+
+def _otter(archive: Path, student: NotebookNode, submission: Path, folder: Path) -> float:
+    """Return the seconds that otter takes for one submission; right answers must be right."""
+    notebook = otter.filled_in(student, nbformat.read(submission, as_version=4))
+    nbformat.write(notebook, folder / "submission.ipynb")
+    start = time.perf_counter()
+    otter.grade(archive, folder / "submission.ipynb")
+    seconds = time.perf_counter() - start
+    tests = json.loads((folder / "results.json").read_text("utf-8"))["tests"]
+    share = sum(t.get("score") or 0 for t in tests) / sum(t.get("max_score") or 0 for t in tests)
+    who = submission.parents[1].name
+    must = 1.0 if who.startswith(("right", "rewritten")) else share
+    if share != (0.0 if who.startswith("untouched") else must):
+        raise RuntimeError(f"otter gives {who} {share:.0%} of the points")
+    return seconds
 
 
 def _scores(term: Path) -> dict[str, float]:
@@ -72,12 +140,10 @@ def _scores(term: Path) -> dict[str, float]:
         return {s.student.id: s.score for s in gradebook.assignment_submissions(ASSIGNMENT)}
 
 
-def _seconds(command: list[str], folder: Path) -> float:
-    start = time.perf_counter()
-    _run(command, folder)
-    return time.perf_counter() - start
+def _program(command: list[str]) -> list[str]:
+    return [str(Path(sys.executable).with_name(command[0])), *command[1:]]
 
 
 def _run(command: list[str], folder: Path) -> None:
-    program = [str(Path(sys.executable).with_name(command[0])), *command[1:]]
+    program = _program(command)
     subprocess.run(program, cwd=folder, env=clean_environment(), check=True, capture_output=True)
