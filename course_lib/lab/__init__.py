@@ -12,9 +12,11 @@ from course_lib.lab.figures import (
 )
 from course_lib.lab.photographs import Work, calibrate, look
 from course_lib.lab.real_pairs import Checked, honest, measure_real_pairs
-from course_lib.lab.report import Result, show_report, write_report
+from course_lib.lab.report import show_report, write_report
+from course_lib.lab.results import Result, meeting
 from course_lib.lab.shots import Shot, shot
 from course_lib.lab.supplied import SUPPLIED
+from course_lib.lab.words import say
 
 __all__ = [
     "SUPPLIED",
@@ -32,7 +34,9 @@ __all__ = [
     "lens_bend",
     "look",
     "measure_real_pairs",
+    "meeting",
     "rays",
+    "say",
     "shot",
     "show_report",
     "straightened",

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from course_lib.drawing import lab as draw
 from course_lib.lab.photographs import Work
-from course_lib.lab.report import Result
+from course_lib.lab.results import Result, rays_angle_deg
 from course_lib.lab.shots import Shot
 from course_lib.measuring import point_in_space, point_on_plane
 from course_lib.remapping import undistort_picture
@@ -89,10 +89,9 @@ def rays(work: Work, shots: Sequence[Shot], pointed: Sequence[ArrayLike]) -> Fig
         Pixels of both ends in each.
     """
     views = [shot.view for shot in shots]
-    ends = point_in_space(np.stack([np.asarray(p, float) for p in pointed]), views)
-    one, other = (view.centre - ends.mean(axis=0) for view in views[:2])
-    cosine = one @ other / (np.linalg.norm(one) * np.linalg.norm(other))
-    angle = float(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
+    pixels = np.stack([np.asarray(p, float) for p in pointed])
+    ends = point_in_space(pixels, views)
+    angle = rays_angle_deg(shots, pixels)
     return draw.rays_from_above(work.target.points(), [v.centre for v in views], ends, angle)
 
 

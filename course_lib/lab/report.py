@@ -11,7 +11,6 @@ import io
 import json
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -21,65 +20,29 @@ from numpy.typing import NDArray
 
 from course_lib.display import described_picture, show_block
 from course_lib.drawing.lab.page import Length, report_page
-from course_lib.drawing.lab.sheets import thumbnail
+from course_lib.drawing.lab.sheets import short_name, thumbnail
+from course_lib.lab.lines import report_lines, sign
 from course_lib.lab.photographs import Work
-from course_lib.lab.shots import Shot
-from course_lib.measuring import Measured
+from course_lib.lab.results import Result
+from course_lib.lab.words import say
 from course_lib.page import html_page
 
 FILE = "lab_report.html"
+STYLE = "img { max-width: 100%; } pre { white-space: pre-wrap; }"
 MOST = 8_000_000  # bytes of a file that is believed to be a report
 AROUND = 0.6  # of a length, around it in a cutting
 BLOCK = re.compile(r'<script type="application/json" id="lab-report">(.*?)</script>', re.DOTALL)
 
 
-@dataclass(frozen=True, eq=False)
-class Result:
-    """A length that was measured, and the ruler beside it.
-
-    Attributes
-    ----------
-    name : str
-        What was measured.
-    length : Measured
-        By the camera.
-    ruler, ruler_pm : float
-        By a ruler, and half the width of its interval of 95 %, mm.
-    pointed : tuple of (Shot, ndarray)
-        Photographs, and where both ends are in each, shape (2, 2), px.
-    """
-
-    name: str
-    length: Measured
-    ruler: float
-    ruler_pm: float
-    pointed: tuple[tuple[Shot, NDArray[np.float64]], ...]
-
-    @property
-    def difference(self) -> float:
-        """Camera minus ruler, mm."""
-        return self.length.value - self.ruler
-
-    @property
-    def ratio(self) -> float:
-        """The difference by what both are uncertain by, together: below 1, they agree.
-
-        References
-        ----------
-        ISO 13528, the E_n number: ``|difference| / √(U₁² + U₂²)`` with intervals of 95 %.
-        """
-        return abs(self.difference) / float(np.hypot(self.length.plus_minus, self.ruler_pm))
-
-    @property
-    def said(self) -> str:
-        """The result in a line."""
-        by_ruler = f"{self.ruler:g} mm ± {self.ruler_pm:g} mm"
-        apart = f"{round(self.difference, 2) + 0.0:+.2f} mm, {self.ratio:.2f} of both ± together"
-        return f"{self.name}: {self.length}; ruler {by_ruler}; difference {apart}"
-
-
-def write_report(work: Work, results: Sequence[Result], folder: str | Path = ".") -> Path:
-    """Write the lab report beside the notebook.
+def write_report(
+    work: Work,
+    results: Sequence[Result],
+    folder: str | Path = ".",
+    *,
+    pointing: float,
+    scale: float,
+) -> Path:
+    """Write the lab report beside the notebook, unless that would replace one on other photographs.
 
     Parameters
     ----------
@@ -89,6 +52,9 @@ def write_report(work: Work, results: Sequence[Result], folder: str | Path = "."
         What was measured.
     folder : str or Path
         Where to.
+    pointing, scale : float
+        What was assumed: standard deviation of a coordinate pointed at, px, and the relative one
+        of the target's lengths.
 
     Returns
     -------
@@ -102,16 +68,26 @@ def write_report(work: Work, results: Sequence[Result], folder: str | Path = "."
     OSError
         If the file cannot be written.
     """
+    path = Path(folder, FILE)
+    if why := _must_stay(path, work):
+        say(f"{FILE} stays as it is: {why}. To write another one, move it away.")
+        return path
     title = "Lab report" if work.own else "Lab report, on the supplied photographs"
-    lines = camera_lines(work)
-    lengths = [_length(result) for result in results]
+    lines = report_lines(work, results, pointing, scale)
+    lengths = [_length(result, pointing) for result in results]
     picture = _png(report_page(title, _thumbnails(work), lines, lengths))
-    said = "\n".join(f"{line}." for line in (title, *lines, *(r.said for r in results)))
-    held = {
-        "words": said,
-        "png": base64.b64encode(picture).decode("ascii"),
-        **_numbers(work, results),
-    }
+    said = "\n".join((title, *lines, *(length.text for length in lengths)))
+    numbers = {"assumed": {"pointing": pointing, "scale": scale}, **_numbers(work, results)}
+    path.write_text(_page(title, picture, said, numbers), encoding="utf-8")
+    if work.instead:
+        say(f"{work.instead} So this report is on the supplied photographs.")
+    say(f"Wrote {path} ({path.stat().st_size / 1e6:.1f} MB): hand it in with the notebook.")
+    return path
+
+
+def _page(title: str, picture: bytes, said: str, numbers: dict[str, Any]) -> str:
+    """Return a page for people, which holds the same for programs."""
+    held = {"words": said, "png": base64.b64encode(picture).decode("ascii"), **numbers}
     block = json.dumps(held).replace("<", "\\u003c")
     parts = [
         f"<h1>{escape(title)}</h1>",
@@ -119,10 +95,19 @@ def write_report(work: Work, results: Sequence[Result], folder: str | Path = "."
         f"<pre>{escape(said)}</pre>",
         f'<script type="application/json" id="lab-report">{block}</script>',
     ]
-    path = Path(folder, FILE)
-    path.write_text(html_page(title, parts, "img { max-width: 100%; }"), encoding="utf-8")
-    print(f"Wrote {path} ({path.stat().st_size / 1e6:.1f} MB): hand it in with the notebook.")
-    return path
+    return html_page(title, parts, STYLE)
+
+
+def _must_stay(path: Path, work: Work) -> str:
+    """Return why a report that is there must not be replaced; nothing if there is none."""
+    before = read_report(path)
+    if isinstance(before, str):
+        return ""
+    if _bare_shell() is not None:
+        return "it was handed in"
+    if before.get("own") and not work.own:
+        return "it was made with your own photographs, and these are the supplied ones"
+    return ""
 
 
 def show_report(folder: str | Path = ".") -> None:
@@ -169,47 +154,22 @@ def _bare_shell() -> Any:
     return shell if shell is not None and not hasattr(shell, "kernel") else None
 
 
-def camera_lines(work: Work) -> list[str]:
-    """Return what is to be said of the camera and its photographs."""
-    camera, judgement = work.camera, work.judgement
-    (fx, _, cx), (_, fy, cy), _ = camera.K
-    used = len(work.solved.views) if work.solved else 0
-    numbers = {"fx": fx, "fy": fy, "cx": cx, "cy": cy}
-    told = [f"{n} {v:.2f} ± {camera.sigma.get(n, 0):.2f}" for n, v in numbers.items()]
-    lens = [
-        f"{n} {v:.4f}" for n, v in zip(("k1", "k2", "p1", "p2"), camera.coefficients, strict=False)
-    ]
-    lines = [
-        f"{used} of {len(work.photos)} photographs, {camera.image_size[0]} × "
-        f"{camera.image_size[1]} px, {work.target.name}; RMS {camera.rms:.3f} px",
-        f"{', '.join(told)} px (σ); {', '.join(lens)}",
-    ]
-    if judgement is not None:
-        share = judgement.coverage
-        lines.append(
-            f"corners in {(share.counts > 0).sum()} of {share.counts.size} fields, up to "
-            f"{100 * share.reach:.0f} % of the way to a corner"
-        )
-    if work.solved is not None and len(work.solved.held_out):
-        held = float(np.sqrt(np.mean(work.solved.held_out**2)))
-        lines.append(f"photographs held out fit to {held:.3f} px")
-    return lines
-
-
-def _thumbnails(work: Work) -> list[NDArray[np.uint8]]:
+def _thumbnails(work: Work) -> list[tuple[str, NDArray[np.uint8]]]:
+    """Return small photographs and what is written above them; corners only where they count."""
     pictures = []
     for photo in work.photos:
         if photo.thumbnail is None or photo.header is None:
             continue
         scale = photo.header.size[0] / photo.thumbnail.shape[1]
-        found = photo.detection.points if photo.detection else np.empty((0, 2))
-        pictures.append(thumbnail(photo.thumbnail, found / scale, 160))
+        found = photo.detection.points if photo.detection and photo.used else np.empty((0, 2))
+        caption = f"{sign(work, photo)} {short_name(photo.name)}"
+        pictures.append((caption, thumbnail(photo.thumbnail, found / scale, 160)))
     return pictures
 
 
-def _length(result: Result) -> Length:
+def _length(result: Result, pointing: float) -> Length:
     cuttings = tuple(_cutting(shot.photograph, ends) for shot, ends in result.pointed)
-    return Length(result.said, result.length.parts, cuttings)
+    return Length(f"{result.said}. {result.taken(pointing)}", result.length.parts, cuttings)
 
 
 def _cutting(

@@ -18,12 +18,12 @@ import numpy as np
 import traitlets
 from numpy.typing import NDArray
 
+from course_lib.drawing.lab.sheets import SIGNS
 from course_lib.widgets.messages import jpeg
 
 HERE = Path(__file__).parent
 #: No photograph is larger, bytes.
 MOST = 80_000_000
-SIGNS = {True: "✓", False: "✗"}
 
 
 @dataclass(frozen=True, eq=False)

@@ -28,7 +28,9 @@ EYES = [np.array([-43.0, 303.0, -386.0]), np.array([414.0, 312.0, -386.0])]
 def page():
     pictures = ((VIEW.picture, np.array([[420.0, 250.0], [500.0, 270.0]])),)
     lengths = [Length("card: 85.6 mm ± 0.9 mm", PARTS, pictures * n) for n in (1, 2)]
-    return draw.report_page("Lab report", [THUMBNAIL] * 12, ["7 of 9 photographs"] * 3, lengths)
+    return draw.report_page(
+        "Lab report", [("✓ desk_1.jpg", THUMBNAIL)] * 12, ["7 of 9 photographs"] * 3, lengths
+    )
 
 
 FIGURES = {

@@ -2,6 +2,7 @@
 
 import base64
 import builtins
+import re
 import sys
 from dataclasses import replace
 from types import SimpleNamespace
@@ -11,13 +12,16 @@ import numpy as np
 import pytest
 
 from course_lib import lab
+from course_lib.distortion import distort_pixels
+from course_lib.lab import supplied
 from course_lib.lab.report import FILE, read_report
 from course_lib.measuring import Measured
+from data_generators import desk
 
 
 @pytest.fixture(scope="module")
 def results(work):
-    one, other = lab.shot(work, "m2.jpg"), lab.shot(work, "m3.jpg")
+    one, other = lab.shot(work, "m2.jpg", 0.1), lab.shot(work, "m3.jpg", 0.1)
     ends = np.array([[300.0, 200.0], [380.0, 210.0]])
     card = Measured(85.4, {"pointing": 0.3, "pose": 0.1})
     lid = Measured(121.0, {"pointing": 0.2})
@@ -27,9 +31,14 @@ def results(work):
     ]
 
 
+def write(work, results, folder):
+    folder.mkdir(exist_ok=True)
+    return lab.write_report(work, results, folder, pointing=0.6, scale=0.002)
+
+
 @pytest.fixture(scope="module")
 def path(work, results, tmp_path_factory):
-    return lab.write_report(work, results, tmp_path_factory.mktemp("handed"))
+    return write(work, results, tmp_path_factory.mktemp("handed"))
 
 
 def test_agreement_is_judged_by_both_uncertainties(results):
@@ -38,6 +47,8 @@ def test_agreement_is_judged_by_both_uncertainties(results):
     assert card.ratio == pytest.approx(0.2 / np.hypot(1.959964 * np.hypot(0.3, 0.1), 0.5))
     assert lid.ratio > 1 > card.ratio
     assert card.said.startswith("card: 85.4 mm ± 0.6 mm (95 %); ruler 85.6 mm ± 0.5 mm; diff")
+    assert card.said.endswith("-0.20 mm, E = 0.25: they agree")
+    assert lid.said.endswith("+1.00 mm, E = 1.57: they do not agree")
 
 
 def test_the_file_holds_picture_and_numbers(path, work):
@@ -49,7 +60,15 @@ def test_the_file_holds_picture_and_numbers(path, work):
     assert picture.std() > 20
     assert held["camera"]["K"] == work.camera.K.tolist()
     assert [length["value"] for length in held["lengths"]] == [85.4, 121.0]
-    assert "7 of 11 photographs, 640 × 480 px" in held["words"]
+    words = held["words"]
+    assert "11 photographs: 7 ✓ calibrate the camera, 3 ↔ are measured in, 1 ✗ are set" in words
+    assert "640 × 480 px" in words
+    assert "✗ torn.jpg: The file is damaged" in words
+    assert (
+        "25 mm from corner to corner, σ 0.2 %; σ of a corner of the target 0.1 mm, of a mark 0.6 px"
+        in words
+    )
+    assert held["assumed"] == {"pointing": 0.6, "scale": 0.002}
 
 
 def test_nothing_of_the_photographs_files_is_in_it(path, folder):
@@ -60,10 +79,68 @@ def test_nothing_of_the_photographs_files_is_in_it(path, folder):
         assert base64.b64encode(private.encode()).decode().rstrip("=")[:-1] not in page
 
 
-def test_it_says_whose_photographs_they_are(work, results, tmp_path):
-    assert read_report(lab.write_report(work, results, tmp_path))["words"].startswith("Lab report.")
-    other = lab.write_report(replace(work, own=False), results, tmp_path)
-    assert "Lab report, on the supplied photographs." in read_report(other)["words"]
+def test_it_says_whose_photographs_they_are(work, results, tmp_path, capsys):
+    assert read_report(write(work, results, tmp_path / "a"))["words"].startswith("Lab report\n")
+    other = write(replace(work, own=False, instead="There is no folder."), results, tmp_path / "b")
+    assert "Lab report, on the supplied photographs" in read_report(other)["words"]
+    said = capsys.readouterr().out
+    assert "There is no folder. So this report is on the supplied photographs." in said
+
+
+def test_a_report_on_own_photographs_is_never_replaced(path, work, results, capsys):
+    before = path.read_bytes()
+    assert write(replace(work, own=False), results[:1], path.parent) == path
+    assert path.read_bytes() == before
+    said = " ".join(capsys.readouterr().out.split())
+    assert "lab_report.html stays as it is: it was made with your own photographs" in said
+
+
+def test_later_work_replaces_earlier_work(work, results, tmp_path):
+    for given in (replace(work, own=False), work, work):
+        earlier = write(given, results[:1], tmp_path)
+    assert len(read_report(write(work, results, tmp_path))["lengths"]) == 2
+    assert read_report(earlier)["own"]
+
+
+def test_what_was_handed_in_stays(path, work, results, monkeypatch, capsys):
+    before = path.read_bytes()
+    shell = SimpleNamespace(display_pub=None)
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
+    write(work, results[:1], path.parent)
+    assert path.read_bytes() == before
+    assert "stays as it is: it was handed in" in capsys.readouterr().out
+
+
+class TestMeeting:
+    """Rays of the box's lid: pointed at exactly, at the wrong end, from one side."""
+
+    def seen(self, work, name, aim):
+        camera = desk.Camera(work.camera.K, *desk.pose_towards(*aim), (640, 480))
+        ideal = camera.project(desk.box_corners()[4:6])
+        return distort_pixels(ideal, camera.K, work.camera.coefficients)
+
+    def test_both_pictures_and_the_angle_are_told(self, work):
+        names, aims = ("m2.jpg", "m3.jpg"), supplied.MEASURING_AIMS[1:]
+        shots = [lab.shot(work, name) for name in names]
+        ends = [self.seen(work, *what) for what in zip(names, aims, strict=True)]
+        said = lab.meeting(shots, ends, 0.5)
+        assert re.fullmatch(r"The rays miss each other by 0\.\d\d px, and meet at 51°\.", said)
+        swapped = lab.meeting(shots, [ends[0], ends[1][::-1]], 0.5)
+        assert "far more than the 0.5 px that you point to" in swapped
+        assert "far more" in lab.meeting(shots, [ends[0], ends[1] + [0, 6]], 0.5)
+        pointed = tuple(zip(shots, ends, strict=True))
+        edge = lab.Result("lid", Measured(120, {"pointing": 0.1}), 120, 0.5, pointed)
+        assert "meet at 51°" in edge.taken(0.5)
+        assert re.match(r"The camera was \d{3} and \d{3} mm from the middle", edge.taken(0.5))
+
+    def test_a_narrow_angle_is_told(self, work):
+        shots = [lab.shot(work, name) for name in ("m1.jpg", "m2.jpg")]
+        aims = supplied.MEASURING_AIMS[:2]
+        ends = [self.seen(work, s.name, aim) for s, aim in zip(shots, aims, strict=True)]
+        beside = shots[1].view.t + np.array([20, 0, 0])
+        near = replace(shots[0], view=replace(shots[1].view, t=beside))
+        shifted = ends[1] + [25, 0]
+        assert "That angle is small" in lab.meeting([near, shots[1]], [shifted, ends[1]], 0.5)
 
 
 def test_where_there_is_no_report_a_sentence_says_so(capsys, tmp_path):

@@ -21,6 +21,7 @@ from course_lib.distortion import distort_pixels
 from course_lib.exercises import all_exercises
 from course_lib.lab.real_pairs import BOARD, MODEL, NUMBERS, SIZE, corners
 from course_lib.measuring import distance_in_space, distance_on_plane, rays_miss, view_of_target
+from course_lib.measuring.shares import SHARED
 from data_generators import desk
 
 TEXT = lesson_text("12_lab")
@@ -48,6 +49,7 @@ def test_photographs_and_camera(cells):
     assert round(work.camera.rms, 2) == 0.02
     assert len(work.solved.views) == 12
     assert (work.judgement.coverage.counts > 0).sum() == 45
+    assert cells["fx_found"].text("px") == "881.96 px ± 0.14 px (95 %)"
     np.testing.assert_allclose(work.camera.K, desk.intrinsics((1200, 900)), atol=0.4)
 
 
@@ -60,7 +62,27 @@ def test_the_card(cells):
     assert max(width.parts, key=width.parts.get) == "pointing"
     assert sorted(width.parts, key=width.parts.get)[-2] == "target"
     assert width.parts["camera"] + width.parts["pose"] < 0.02
+    assert width.parts["scale"] == pytest.approx(0.001 * 85.6, rel=0.01)
     assert width.plus_minus == pytest.approx(1.96 * width.sigma, rel=1e-4)
+
+
+def test_the_part_of_the_target(cells):
+    TEXT.says("If each went its own way", "and leave 0.06 mm", "That leaves much more, 0.17 mm.")
+    width, shot = cells["width"], cells["shot"]
+    assert round(width.parts["target"], 2) == 0.17
+    rng, points, found = np.random.default_rng(0), desk.TARGET.points(), []
+    for _ in range(300):  # the target is bent, the reader knows nothing of it
+        moved = points + rng.normal(0, 0.1, points.shape)
+        camera = desk.Camera(shot.view.K, shot.view.R, shot.view.t, (1200, 900))
+        seen = distort_pixels(camera.project(moved), shot.view.K, shot.view.coefficients)
+        view = view_of_target(points, seen, cells["work"].camera)
+        found.append(distance_on_plane(*cells["card"].ends, view).value)
+    assert round(float(np.std(found)), 2) == 0.06
+    TEXT.says("a quarter of the target's diagonal", "here 59 mm", "25 mm apart share 91 %")
+    reach = SHARED * float(np.linalg.norm(np.ptp(points, axis=0)))
+    assert SHARED == 0.25
+    assert round(reach) == 59
+    assert round(100 * np.exp(-(25**2) / (2 * reach**2))) == 91
 
 
 def test_one_mark_after_the_other_is_moved_by_its_sigma(cells):
@@ -133,8 +155,10 @@ def test_the_worked_examples():
     TEXT.says(r"\mathbf d = (0.1, 0, 1)", r"$\lambda = 500$ and $\mathbf X = (50, 0, 0)$")
     C, d = np.array([0, 0, -500.0]), np.array([100 / 1000, 0, 1])
     np.testing.assert_allclose(C - C[2] / d[2] * d, [50, 0, 0])
-    TEXT.says(r"\frac{|85.6 - 86.1|}{\sqrt{0.9^2 + 0.5^2}} = 0.49")
-    assert round(abs(85.6 - 86.1) / np.hypot(0.9, 0.5), 2) == 0.49
+    TEXT.says(r"$\sqrt{0.5^2 + 0.5^2} = 0.7$ mm for the length")
+    assert round(float(np.hypot(0.5, 0.5)), 1) == 0.7
+    TEXT.says(r"\frac{|85.6 - 86.1|}{\sqrt{0.9^2 + 0.7^2}} = 0.44")
+    assert round(abs(85.6 - 86.1) / np.hypot(0.9, 0.7), 2) == 0.44
 
 
 def test_both_agree_with_the_truth(cells):
@@ -171,9 +195,10 @@ def test_model_answers_give_the_same_numbers(cells):
     assert all(edge in answers[name] for name in ("space", "report"))
     assert "Of 17 photographs 12 were used" in answers["camera"]
     assert "45 of 48 fields" in answers["camera"]
+    assert "fx = 881.96 px ± 0.14 px." in answers["camera"]
     assert "0.39 mm of 0.44 mm" in answers["plane"]
     assert round(cells["width"].sigma, 2) == 0.44
-    assert f"{85.6 - 85.5:.1f} mm, and both ± together are {np.hypot(0.9, 0.5):.1f} mm" in " ".join(
+    assert f"{85.6 - 85.5:.1f} mm, and both ± together are {np.hypot(0.9, 0.7):.1f} mm" in " ".join(
         answers["ruler"].split()
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -41,7 +42,10 @@ class Length:
 
 @figure("The lab report on one page: photographs, the camera, and each length with its ends.")
 def report_page(
-    title: str, thumbnails: Sequence[Pixels], lines: Sequence[str], lengths: Sequence[Length]
+    title: str,
+    thumbnails: Sequence[tuple[str, Pixels]],
+    lines: Sequence[str],
+    lengths: Sequence[Length],
 ) -> Figure:
     """Show a lab report.
 
@@ -49,8 +53,8 @@ def report_page(
     ----------
     title : str
         The page's.
-    thumbnails : sequence of ndarray, shape (h, w, 3), uint8
-        All photographs.
+    thumbnails : sequence of (str, ndarray), the pictures of shape (h, w, 3), uint8
+        All photographs, and what is written above each.
     lines : sequence of str
         On the camera.
     lengths : sequence of Length
@@ -66,16 +70,19 @@ def report_page(
     count = max(len(thumbnails), 1)
     across = min(9, count)
     down = -(-count // across)
-    heights = [0.62 * down, 0.19 * len(lines) + 0.1, *[2.2] * len(lengths)]
+    folded = [fold(line, 128) for line in lines]
+    heights = [0.8 * down, 0.165 * sum(f.count("\n") + 1 for f in folded) + 0.1]
+    heights += [2.5] * len(lengths)
     fig = plt.figure(figsize=(FULL_WIDTH, sum(heights) + 0.4))
     parts = fig.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]
     grid = parts[0].subplots(down, across, squeeze=False)
     for ax in grid.ravel():
         ax.axis("off")
-    for ax, picture in zip(grid.ravel(), thumbnails, strict=False):
+    for ax, (caption, picture) in zip(grid.ravel(), thumbnails, strict=False):
         ax.imshow(picture)
+        ax.set_title(caption, fontsize=6, fontweight="normal")
     fig.suptitle(title, x=0.02, ha="left", fontsize=11, fontweight="bold")
-    parts[1].text(0.02, 0.98, "\n".join(lines), va="top", fontsize=8, linespacing=1.3)
+    parts[1].text(0.02, 0.98, "\n".join(folded), va="top", fontsize=8, linespacing=1.3)
     for part, length in zip(parts[2:], lengths, strict=True):
         _row(part, length)
     return fig
@@ -88,7 +95,12 @@ def _row(part: object, length: Length) -> None:
     for ax, (picture, ends) in zip(axes[:-1], length.pictures, strict=True):
         _cutting(ax, picture, ends)
     bars(axes[-1], length.parts)
-    part.suptitle(length.text, x=0.02, ha="left", fontsize=9)  # type: ignore[attr-defined]
+    part.suptitle(fold(length.text, 105), x=0.02, ha="left", fontsize=9)  # type: ignore[attr-defined]
+
+
+def fold(text: str, width: int) -> str:
+    """Return a text in lines of so many characters."""
+    return textwrap.fill(text, width, break_long_words=False)
 
 
 def _cutting(ax: Axes, picture: Pixels, ends: NDArray[np.float64]) -> None:

@@ -21,6 +21,7 @@ Pixels = NDArray[np.uint8]
 SMALL = 320  # px: width of a thumbnail
 ACROSS = 6  # thumbnails in a row
 CELLS = (8, 6)  # fields of the picture
+SIGNS = {True: "✓", False: "✗"}  # used or not
 
 
 def thumbnail(grey: Pixels, points: ArrayLike, width: int = SMALL) -> Pixels:
@@ -53,6 +54,11 @@ def thumbnail(grey: Pixels, points: ArrayLike, width: int = SMALL) -> Pixels:
     return np.asarray(colour, np.uint8)
 
 
+def short_name(name: str) -> str:
+    """Return the last 15 characters of a file's name, which tell it from the others."""
+    return name if len(name) <= 15 else f"…{name[-14:]}"
+
+
 @figure("All photographs, small; a tick and blue corners where the target was found, else a cross.")
 def contact_sheet(
     thumbnails: Sequence[Pixels | None], names: Sequence[str], used: Sequence[bool]
@@ -80,8 +86,7 @@ def contact_sheet(
     for ax, picture, name, good in zip(grid.ravel(), thumbnails, names, used, strict=False):
         if picture is not None:
             ax.imshow(picture)
-        short = name if len(name) <= 15 else f"…{name[-14:]}"
-        title = f"{'✓' if good else '✗'} {short}"
+        title = f"{SIGNS[good]} {short_name(name)}"
         ax.set_title(title, fontsize=7.5, color=BLUE if good else RED, fontweight="normal")
     return fig
 

@@ -17,8 +17,8 @@ EXPLAIN_CAMERA = Explain(
     ],
     model_answer=(
         "Of 17 photographs 12 were used, three were kept for measuring. The RMS is 0.02 px and "
-        "fx = 882.0 ± 0.1 px. The RMS alone would be as small if the target had never been in a "
-        "corner of the picture; but photographs that were held out fit as well, the target was "
+        "fx = 881.96 px ± 0.14 px. The RMS alone would be as small if the target had never been in "
+        "a corner of the picture; but photographs that were held out fit as well, the target was "
         "tilted to all four sides by up to 40°, and 45 of 48 fields of the picture have corners. "
         "The fields without any are at the upper edge and in a lower corner, so I would not "
         "measure there. desk_13 was set aside because it is blurred: the phone moved. I would "
@@ -87,9 +87,9 @@ EXPLAIN_RULER = Explain(
         (1, "Says in which direction that error would go, or how it could be tested."),
     ],
     model_answer=(
-        "Camera: 85.6 mm ± 0.9 mm; ruler: 85.5 mm ± 0.5 mm, as I can read half a millimetre at "
-        "both ends. The difference is 0.1 mm, and both ± together are 1.0 mm, so the ratio is "
-        "0.1: they agree. If squares that are said to be 25 mm were printed as 24.8 mm, all "
+        "Camera: 85.6 mm ± 0.9 mm; ruler: 85.5 mm ± 0.7 mm, as I can read half a millimetre at "
+        "each end. The difference is 0.1 mm, and both ± together are 1.1 mm, so E = 0.1: they "
+        "agree. If squares that are said to be 25 mm were printed as 24.8 mm, all "
         "lengths would come out 0.8 % too long, both those on the plane and those in space, and "
         "nothing in the table would show it. I would see it at the bar beside the target, which "
         "must measure 100 mm."
