@@ -100,7 +100,7 @@ def look_at_photos(paths: Sequence[Path], board: Board, tell: Tell) -> list[Phot
         photos.append(photo)
         mark = "+" if photo.used else "-"
         tell(f"[{number:{len(str(len(paths)))}}/{len(paths)}] {mark} {photo.name}: {photo.verdict}")
-        if len(paths) > number and not any(photo.used for photo in photos):
+        if not any(photo.used for photo in photos):
             check_board(photos, board)
     return photos
 
