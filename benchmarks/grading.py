@@ -41,7 +41,7 @@ def grading(rounds: int = 2, submissions: int = 60, otters: int = 4, many: int =
     """
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        released = _make(folder / "class", submissions)
+        released = make_term(folder / "class", submissions)
         archive, student = otter.assign(released, CHAPTER, _new(folder / "otter"))
         handed_in = _spread(folder / "class", otters)
         ours, theirs, otters_own = [], [], []
@@ -51,7 +51,7 @@ def grading(rounds: int = 2, submissions: int = 60, otters: int = 4, many: int =
             otters_own += [_otter(archive, student, path, folder / "otter") for path in handed_in]
             if _scores(folder / f"ours-{number}") != _scores(folder / f"stock-{number}"):
                 raise RuntimeError("the two graders do not agree on honest submissions")
-        _make(folder / "many", many)
+        make_term(folder / "many", many)
         large = _ours(folder / "many", folder / "ours-many")
     seconds = statistics.median(one for one, _ in ours) / submissions
     peak = statistics.median(megabytes for _, megabytes in ours)
@@ -71,7 +71,7 @@ def _new(folder: Path) -> Path:
     return folder
 
 
-def _make(term: Path, number: int) -> NotebookNode:
+def make_term(term: Path, number: int) -> NotebookNode:
     """Make a term with a class; return the notebook that it was given."""
     sys.path[:0] = [str(ROOT / "tests/exercises")]
     from second_solutions import second_solutions
