@@ -77,7 +77,7 @@ def reachable() -> Iterator[None]:
     try:
         yield
     except DBAPIError as error:
-        said = " ".join(str(error.orig).split())[:300]
+        said = " ".join(str(error.orig).split())[:300].rstrip(".?")
         raise RuntimeError(
             f"the gradebook does not do what it should: {said}. What is recorded stays; when it "
             "answers again, the same command goes on"
