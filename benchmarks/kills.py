@@ -149,7 +149,7 @@ def _disturb(
         while process.poll() is None:
             amount = rng.uniform(0, max(FEW, PART * handed_in(term)))
             _wait_for(process, term, len(records(term)) + int(amount))
-            time.sleep((amount % 1) * 2 * pace)
+            time.sleep((amount % 1) * pace)
             if process.poll() is not None:
                 return
             victim = rng.choice(VICTIMS)
