@@ -69,10 +69,11 @@ def shot(work: Work, name: str, unevenness: float = 0.0, besides: Shot | None = 
     chosen, before = work.stand_ins.get(name, name), besides.name if besides else ""
     if chosen not in good or chosen == before:
         why = _why_not(work, name, chosen == before)
+        name_here = name if chosen == name else f"{name} (here {chosen})"
         chosen = _another(work, list(good), name, before)
         say(
-            f"{name} cannot be measured in. {why} {chosen} is taken in its place: do not use what "
-            f"is measured there. The target was found in {', '.join(good)}."
+            f"{name_here} cannot be measured in. {why} {chosen} is taken in its place: do not use "
+            f"what is measured there. The target was found in {', '.join(good)}."
         )
     photo = good[chosen]
     assert photo.detection is not None

@@ -6,7 +6,7 @@ EXPLAIN_CAMERA = Explain(
     "lab",
     "explain_camera",
     rubric=[
-        (1, "Gives the numbers: how many photographs, the RMS and the σ of a focal length."),
+        (1, "Gives the numbers: how many photographs, the RMS and the ± of a focal length."),
         (
             1,
             "Says that the RMS alone proves little, and uses another sign: held-out photographs, "
