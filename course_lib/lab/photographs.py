@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 from course_lib.boards import Board
 from course_lib.calibrating.judgement import Judgement, judge
@@ -24,6 +25,8 @@ from course_lib.lab.words import in_notebook, say, sentence
 CHOICES = ("supplied", "mine")
 #: Fewer views make no camera.
 FEWEST = 3
+#: What was seen last: it takes a second or two for each photograph.
+LAST: dict[str, Any] = {}
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +110,7 @@ def _supplied(names: tuple[str, ...], instead: str = "") -> Work:
     """Return the supplied photographs; those to measure in stand in for the reader's, in order."""
     if instead:
         say(f"{instead} The supplied photographs take their place.\n")
-    photos = tuple(look_at_photos(supplied_photographs(), SUPPLIED.target, say))
+    photos = _looked_at(supplied_photographs(), SUPPLIED.target)
     known = {photo.name for photo in photos}
     stand_ins = dict(zip(names, SUPPLIED.measuring, strict=False))
     if not instead and known.issuperset(names):
@@ -131,8 +134,8 @@ def _own(folder: Path, target: Board, measuring: tuple[str, ...]) -> Work:
     paths = find_photos([str(folder)])
     for line in left_out([str(folder)]):
         say(line)
-    photos = look_at_photos(paths, target, say)
-    work = Work(tuple(photos), target, measuring, own=True)
+    photos = _looked_at(paths, target)
+    work = Work(photos, target, measuring, own=True)
     absent = [name for name in measuring if name not in {photo.name for photo in photos}]
     if absent:
         say(f"There is no {' and no '.join(absent)} among them: is the name written right?")
@@ -145,6 +148,23 @@ def _own(folder: Path, target: Board, measuring: tuple[str, ...]) -> Work:
             f"{others}"
         )
     return work
+
+
+def _looked_at(paths: Sequence[Path], target: Board) -> tuple[Photo, ...]:
+    """Look at photographs, or say again what was seen, if files and target are the same."""
+    files = [(path, path.stat().st_mtime_ns, path.stat().st_size) for path in paths]
+    if LAST.get("key") == (target, files):
+        say("\n".join(LAST["lines"]))
+        return tuple(LAST["photos"])
+    lines: list[str] = []
+
+    def tell(line: str) -> None:
+        lines.append(line)
+        say(line)
+
+    photos = tuple(look_at_photos(paths, target, tell))
+    LAST.update(key=(target, files), lines=lines, photos=photos)
+    return photos
 
 
 def _for_the_camera(work: Work) -> list[Photo]:

@@ -76,6 +76,24 @@ def test_without_photographs_the_supplied_ones_take_their_place(capsys, tmp_path
     assert len(work.photos) == len(no_supplied)
 
 
+def test_the_same_files_are_looked_at_once(capsys, tmp_path, folder, monkeypatch):
+    for name in ("t0.jpg", "t1.jpg", "t2.jpg", "t3.jpg"):
+        (tmp_path / name).write_bytes((folder / name).read_bytes())
+    looked, look = [], photographs.look_at_photos
+    monkeypatch.setattr(photographs, "look_at_photos", lambda *a: looked.append(a) or look(*a))
+    first = lab.look("mine", tmp_path, desk.TARGET)
+    told = heard(capsys)
+    again = lab.look("mine", tmp_path, desk.TARGET, ("t3.jpg",))
+    assert again.photos == first.photos
+    assert again.measuring == ("t3.jpg",)
+    assert heard(capsys) == told
+    assert len(looked) == 1
+    (tmp_path / "t3.jpg").write_bytes((folder / "t4.jpg").read_bytes())
+    assert lab.look("mine", tmp_path, desk.TARGET).photos != first.photos
+    lab.look("mine", tmp_path, Checkerboard(9, 6, 24.0))
+    assert len(looked) == 3
+
+
 def test_too_few_photographs_are_counted(capsys, tmp_path, folder, no_supplied):
     for name in ("t1.jpg", "t2.jpg", "m1.jpg"):
         (tmp_path / name).write_bytes((folder / name).read_bytes())
