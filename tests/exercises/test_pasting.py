@@ -1,4 +1,5 @@
 import inspect
+import linecache
 import math
 
 import numpy as np
@@ -66,8 +67,10 @@ def bare(
 
 
 def run(source, name):
+    """Run a cell as Jupyter does, which keeps its text for messages."""
     scope = {"np": np}
-    exec(source, scope)
+    linecache.cache["cell"] = len(source), None, source.splitlines(True), "cell"
+    exec(compile(source, "cell", "exec"), scope)
     return scope[name]
 
 
