@@ -111,3 +111,13 @@ def test_a_mark_is_dragged_over_the_whole_photograph(page):
     page.wait_for_timeout(500)
     rough = root.get_by_role("slider", name="Left end, u", exact=True)
     assert abs(int(rough.get_attribute("aria-valuetext").removesuffix(" px")) - 220) <= 2
+
+
+def test_marks_are_where_they_were_left(page):
+    before = page.get_by_role("region", name="Point at left end and right end")
+    left = before.locator("dd").first.inner_text()
+    assert run_all_cells(page) == []
+    page.get_by_text("The marks are where you left them").wait_for()
+    root = page.get_by_role("region", name="Point at left end and right end")
+    root.locator("dl").get_by_text("398.9, 300.0 px").wait_for()
+    assert root.locator("dd").first.inner_text() == left != "100.0, 100.0 px"
