@@ -89,7 +89,10 @@ def _connected(address: str) -> Iterator[Any]:
         raise ClusterError(
             "grading on a cluster needs Dask here, too: pip install distributed"
         ) from None
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # its news are said below
+    for handler in logging.getLogger("distributed").handlers:
+        handler.setLevel(
+            logging.CRITICAL
+        )  # its news are said below; each of its loggers has a level
     try:
         client = Client(address, timeout=CONNECT)
     except (OSError, ValueError, TypeError, ImportError) as error:

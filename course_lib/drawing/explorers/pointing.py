@@ -100,8 +100,8 @@ def _numbers(pointed: Pointed, places: Floats) -> tuple[Readout, ...]:
     )
     measured = pointed.value(places) if pointed.value else ()
     height, width = pointed.photograph.shape[:2]
-    inside = ((places >= -0.5) & (places <= (width - 0.5, height - 0.5))).all(axis=1)
-    out = [name for name, within in zip(pointed.names, inside, strict=True) if not within]
+    beyond = np.any((places < -0.5) | (places > (width - 0.5, height - 0.5)), axis=1)
+    out = [pointed.names[k] for k in np.flatnonzero(beyond)]
     told = (Readout("Outside the photograph", "", " and ".join(out)),) if out else ()
     return (*first, Readout("Apart in the picture", "", f"{apart:.1f}", "px"), *measured, *told)
 
