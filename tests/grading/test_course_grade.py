@@ -64,7 +64,8 @@ def test_the_summary_says_what_to_tell_whom(command, submissions):
     for student, sentence in UNREADABLE.items():
         assert f"{student}: {sentence}" in command.stdout
     assert "copied-out: put back: setup" in command.stdout
-    assert re.search(r"pinhole.project_pinhole +\d.\d/6 +\d+%  [a-z ]+ \(\d\)", command.stdout)
+    numbers = r"pinhole\.project_pinhole +\d\.\d/6 +\d+% +\d+ +\d+  [a-z ]+ \(\d\)"
+    assert re.search(numbers, command.stdout)
     assert "Warning" not in command.stderr
 
 

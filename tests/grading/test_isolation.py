@@ -58,23 +58,26 @@ def test_nothing_is_left_for_the_next_submission(nests, tmp_path):
     assert len(processes) <= (4 if nests else 7)
 
 
-def shared_with_all(folder: Path) -> list[str]:
-    """Return bubblewrap's options that show a folder to all, also below private ones."""
+def shared_with_all(folders: list[Path]) -> list[str]:
+    """Return bubblewrap's options that show folders to all, also below private ones."""
+    above = sorted({parent for folder in folders for parent in folder.parents})
+    private = [path for path in above if path.stat().st_mode & 0o005 != 0o005]
     options = []
-    for above in reversed(folder.parents):
-        if above.stat().st_mode & 0o005 != 0o005:
-            options += ["--perms", "0755", "--tmpfs", str(above)]
-    for above in reversed(folder.parents):
-        options += ["--perms", "0755", "--dir", str(above)]
-    return [*options, "--ro-bind", str(folder), str(folder)]
+    for path in private:
+        if not set(path.parents) & set(private):  # what is below is hidden with it
+            options += ["--perms", "0755", "--tmpfs", str(path)]
+    for path in above:
+        options += ["--perms", "0755", "--dir", str(path)]
+    for folder in folders:
+        options += ["--ro-bind", str(folder), str(folder)]
+    return options
 
 
 @pytest.mark.slow
 @walled
 @pytest.mark.skipif(os.getuid() != 0, reason="an ordinary user is the one of the other tests")
 def test_everything_holds_for_an_ordinary_user():
-    folders = {Path(sys.base_prefix).resolve(), Path(sys.prefix), ROOT}
-    shown = [part for folder in sorted(folders) for part in shared_with_all(folder)]
+    shown = shared_with_all(sorted({Path(sys.base_prefix).resolve(), Path(sys.prefix), ROOT}))
     code = (
         "import os\nassert os.getuid() == 60400\n"
         "from course_lib.grading.explaining import explain_isolation\nprint(explain_isolation())"
