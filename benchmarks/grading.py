@@ -33,7 +33,7 @@ c.Execute.timeout = 60
 HONEST = ("right", "rewritten", "half-done", "untouched", "misconception")
 
 
-def grading(rounds: int = 2, submissions: int = 60, otters: int = 4, many: int = 600) -> list[Row]:
+def grading(rounds: int = 1, submissions: int = 60, otters: int = 4, many: int = 600) -> list[Row]:
     """Measure a class of honest submissions to the real notebook of chapter 01.
 
     Ours and nbgrader grade the same class in turns; so does otter a few of it, one by one, as
