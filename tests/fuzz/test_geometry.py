@@ -8,7 +8,7 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
-from course_lib import camera, homogeneous, transforms
+from course_lib import camera, homogeneous, optics, transforms
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.transforms import check_rotation
 
@@ -86,10 +86,12 @@ FUNCTIONS = [
     homogeneous.apply_homography,
     homogeneous.map_lines,
     homogeneous.cross_ratio,
+    *(getattr(camera, name) for name in camera.__all__ if not name.lower().startswith("camera")),
     camera.camera_matrix,
-    camera.project,
-    camera.pixel_ray,
-    camera.decompose_projection,
+    optics.cardinal_points,
+    optics.image_of_point,
+    optics.system_matrix,
+    optics.trace_rays,
 ]
 
 
