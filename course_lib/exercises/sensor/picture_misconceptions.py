@@ -95,6 +95,28 @@ def scaled_to_brightest(image, dark, flat):
     return (image.astype(float) - dark) / light * light.max(axis=(0, 1))
 
 
+def clipped_before_the_noise_averages_out(image, dark, flat):
+    light = flat.astype(float) - dark
+    return np.maximum(image.astype(float) - dark, 0) / light * light.mean(axis=(0, 1))
+
+
+def magnitude_of_the_noise(image, dark, flat):
+    light = flat.astype(float) - dark
+    return np.abs(image.astype(float) - dark) / light * light.mean(axis=(0, 1))
+
+
+def gamma_taken_off_again(image, dark, flat):
+    light = flat.astype(float) ** 2.2 - dark.astype(float) ** 2.2
+    scene = image.astype(float) ** 2.2 - dark.astype(float) ** 2.2
+    return scene / light * light.mean(axis=(0, 1))
+
+
+def gamma_put_on(image, dark, flat):
+    light = flat.astype(float) - dark
+    even = np.maximum(image.astype(float) - dark, 0) / light
+    return even ** (1 / 2.2) * light.mean(axis=(0, 1))
+
+
 def unsigned_difference(image, dark, flat):
     light = flat - dark
     return (image - dark) / light * light.mean(axis=(0, 1))

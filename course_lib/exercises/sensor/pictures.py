@@ -160,6 +160,17 @@ FLAT_FIELD = Exercise(
             wrong.unsigned_difference,
             "Ask NumPy for `np.uint16(3) - np.uint16(5)`. Can that happen in the shadows here?",
         ),
+        Misconception(
+            wrong.clipped_before_the_noise_averages_out,
+            "In the shadows, noise takes some numbers below the dark ones. If you lift just those, "
+            "is the mean of many pixels still right?",
+            also=[wrong.magnitude_of_the_noise],
+        ),
+        Misconception(
+            wrong.gamma_taken_off_again,
+            "The numbers are linear in light already. Which curve do you take off or put on?",
+            also=[wrong.gamma_put_on],
+        ),
     ],
 )
 
