@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from lesson_text import lesson_text
+from lesson_text import about, lesson_text
 from scipy.ndimage import map_coordinates
 from skimage.data import stereo_motorcycle
 
@@ -93,6 +93,11 @@ def test_principal_point_of_the_photograph_is_off_the_middle():
     halves = np.degrees(np.arctan([(C[0] + 0.5) / F, (width - 0.5 - C[0]) / F]))
     assert halves[1] - halves[0] == pytest.approx(6, abs=0.1)
     says("59 pixels to the left")
+
+    centred = np.degrees(optics.field_of_view(F, (width, height)))[0]
+    assert tuple(halves) == (about(17.4, 1), about(23.3, 1))
+    assert (halves.sum(), centred) == (about(40.73, 2), about(40.85, 2))
+    says("sees 17.4°, to the right 23.3°, in all 40.73°. The formula says 40.85°")
 
 
 def test_data_sheet():
