@@ -10,6 +10,7 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_output
 from nbgrader.utils import is_grade, is_solution
 
+from course_lib.grading.harmless import disarm
 from course_lib.grading.outside import Outcome
 from course_lib.grading.planning import CHECK
 from course_lib.judging import Verdict
@@ -38,7 +39,7 @@ BASE64 = re.compile(r"[A-Za-z0-9+/=\n]*")
 
 
 def mark(notebook: NotebookNode, outcome: Outcome) -> None:
-    """Put outputs and verdicts into a notebook, in place of what it held.
+    """Put outputs and verdicts into a notebook, and leave nothing in it that a browser would run.
 
     Parameters
     ----------
@@ -59,6 +60,7 @@ def mark(notebook: NotebookNode, outcome: Outcome) -> None:
             cell.outputs = [_not_run(why)] if verdict is None else shown(verdict)
         elif said is None and is_grade(cell) and not is_solution(cell):
             cell.outputs = [_not_run(why)]  # a test cell of the instructor's own
+    disarm(notebook)
 
 
 def shown(verdict: Verdict) -> list[NotebookNode]:
