@@ -19,11 +19,12 @@ from benchmarks import (
     lens,
     photographs,
 )
+from benchmarks.explorers import EXPLORERS
 from benchmarks.table import RESULTS, Row, write_section
 
 #: Every entry is a function that returns rows. Add yours here.
 ENTRIES: dict[str, Callable[[], list[Row]]] = {
-    **{f"explorers-{chapter}": partial(latency.measure, chapter) for chapter in latency.EXPLORERS},
+    **{f"explorers-{chapter}": partial(latency.measure, chapter) for chapter in EXPLORERS},
     "importing": compute.importing,
     "projecting": compute.projecting,
     "bundling": bundle.bundling,

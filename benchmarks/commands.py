@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import shutil
 import signal
-import socket
 import statistics
 import subprocess
 import sys
@@ -17,8 +16,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from benchmarks.compute import clean_environment
+from benchmarks.processes import clean_environment
 from benchmarks.table import Row
+from tests.browser.lab import free_port
 
 ROOT = Path(__file__).resolve().parents[1]
 TOKEN = "benchmark"
@@ -112,10 +112,3 @@ def _seconds_to_answer(command: list[str], limit: float = 60) -> float:
         with suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGTERM)
         process.wait()
-
-
-def free_port() -> int:
-    """Return a port that nobody listens at."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])

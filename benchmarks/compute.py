@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable
 from functools import partial
 
+from benchmarks.processes import clean_environment
 from benchmarks.table import Row
 
 MATHEMATICS = "import course_lib, course_lib.camera, course_lib.optics, course_lib.transforms"
@@ -155,9 +156,3 @@ def alternating(one: Callable[[], object], other: Callable[[], object], rounds: 
             if turn:
                 taken.append(1000 * (time.perf_counter() - start))
     return [statistics.median(taken) for taken in times]
-
-
-def clean_environment() -> dict[str, str]:
-    """Return the environment without tuning of the BLAS for one kind of processor."""
-    tuned = {"OPENBLAS_CORETYPE", "OPENBLAS_L2_SIZE"}
-    return {name: value for name, value in os.environ.items() if name not in tuned}

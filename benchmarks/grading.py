@@ -18,8 +18,8 @@ import nbformat
 from nbformat import NotebookNode
 
 from benchmarks import otter
-from benchmarks.compute import clean_environment
-from benchmarks.memory import Peak
+from benchmarks.memory import watched
+from benchmarks.processes import clean_environment, program
 from benchmarks.table import Row
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -99,11 +99,11 @@ def _ours(pristine: Path, term: Path) -> tuple[float, float]:
     """Return seconds and peak megabytes of grading a class that nobody has graded."""
     shutil.copytree(pristine, term)
     start = time.perf_counter()
-    command = _program(["course", "grade", ASSIGNMENT])
+    command = [program("course"), "grade", ASSIGNMENT]
     process = subprocess.Popen(
         command, cwd=term, env=clean_environment(), stdout=subprocess.DEVNULL
     )
-    with Peak(process.pid) as peak:
+    with watched(process.pid) as peak:
         if process.wait():
             raise RuntimeError(f"course grade ended with {process.returncode}")
     return time.perf_counter() - start, peak.megabytes
@@ -140,10 +140,6 @@ def _scores(term: Path) -> dict[str, float]:
         return {s.student.id: s.score for s in gradebook.assignment_submissions(ASSIGNMENT)}
 
 
-def _program(command: list[str]) -> list[str]:
-    return [str(Path(sys.executable).with_name(command[0])), *command[1:]]
-
-
 def _run(command: list[str], folder: Path) -> None:
-    program = _program(command)
-    subprocess.run(program, cwd=folder, env=clean_environment(), check=True, capture_output=True)
+    whole = [program(command[0]), *command[1:]]
+    subprocess.run(whole, cwd=folder, env=clean_environment(), check=True, capture_output=True)

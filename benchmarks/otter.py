@@ -14,7 +14,7 @@ import nbformat
 from nbformat import NotebookNode
 from nbformat.v4 import new_code_cell, new_notebook, new_raw_cell
 
-from benchmarks.compute import clean_environment
+from benchmarks.processes import clean_environment
 from course_lib.authoring.expansion import grade_id
 from course_lib.exercises import all_exercises
 from course_lib.exercises.pasting import literal

@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.commands import free_port
+from tests.browser.lab import free_port
 
 OWNER = "teacher"
 #: Who runs the server where root starts it: PostgreSQL refuses root. Debian's package makes it.

@@ -10,7 +10,8 @@ from distributed import Client, LocalCluster
 from small_course import run
 from walls import walled
 
-from benchmarks.kills import ASSIGNMENT, PATIENCE, Scene, records, snapshot
+from benchmarks.scenes import ASSIGNMENT, PATIENCE, Scene, records
+from benchmarks.snapshots import snapshot
 from course_lib.cli import main
 from course_lib.grading import cluster
 from course_lib.grading.cluster import DIFFERENT, _there, _words, library_mark, why_refuse

@@ -12,8 +12,10 @@ from small_course import run, write_course
 from sqlalchemy.engine import make_url
 from walls import walled
 
-from benchmarks.kills import ASSIGNMENT, Scene, database_of, snapshot, torment
+from benchmarks.kills import torment
 from benchmarks.postgres import NoServerError, _program, postgres_server
+from benchmarks.scenes import ASSIGNMENT, Scene, database_of
+from benchmarks.snapshots import snapshot
 from course_lib.cli import main
 from course_lib.grading.assignment import read_assignment
 from course_lib.grading.gradebooks import DRIVER, gradebook_url

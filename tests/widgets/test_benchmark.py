@@ -6,7 +6,7 @@ import io
 import matplotlib.pyplot as plt
 import pytest
 
-from benchmarks.latency import EXPLORERS
+from benchmarks.explorers import EXPLORERS
 from benchmarks.peers import _plot
 from course_lib.drawing.explorers.frame import Label, Picture
 
