@@ -4,8 +4,6 @@ import pytest
 
 from course_lib.camera import Camera, image_centre
 from course_lib.optics import circle_of_confusion
-from course_lib.sensor import photons_per_pixel
-from data_generators import disks
 from data_generators.defocus import DefocusedView, levels
 from data_generators.lens import Lens
 from data_generators.quick import QuickRenderer
@@ -57,72 +55,6 @@ def spread(light, side):
         mean = (grey * axis).sum() / grey.sum()
         variances.append((grey * (axis - mean) ** 2).sum() / grey.sum())
     return 4 * np.sqrt(max(0, np.mean(variances) - side**2 / 12 - 1 / 12))
-
-
-class TestLens:
-    def test_shapes(self):
-        lens = Lens(50, 2, 2000)
-        assert lens.disks([1.0, 2.0, np.inf], camera_of(lens)).shape == (3,)
-        assert lens.pitch(camera_of(lens)).shape == (2,)
-        assert lens.intrinsics((0.01, 0.02), (640, 480)).shape == (3, 3)
-
-    def test_accuracy(self):
-        lens = Lens(50, 2.8, 750)
-        assert 1 / lens.image_distance + 1 / 750 == pytest.approx(1 / 50)
-        assert lens.diameter == pytest.approx(50 / 2.8)
-        np.testing.assert_allclose(lens.pitch(camera_of(lens)), PITCH)
-        expected = circle_of_confusion([400, 750, np.inf], 750, 50, 2.8) / PITCH
-        np.testing.assert_allclose(lens.disks([0.4, 0.75, np.inf], camera_of(lens)), expected)
-
-    def test_disks_are_the_aperture_as_an_angle(self):
-        lens = Lens(35, 4, 1500)
-        expected = camera_of(lens).K[0, 0] * lens.diameter / 1000 * abs(1 / 0.6 - 1 / 1.5)
-        assert lens.disks(0.6, camera_of(lens)) == pytest.approx(expected)
-
-    def test_light(self):
-        # Two stops make a quarter of the light; at magnification 1 there is another quarter.
-        assert Lens(50, 4).light == pytest.approx(4 * Lens(50, 8).light)
-        assert Lens(50, 4).light == pytest.approx(4 * Lens(50, 4, 100).light)
-        assert Lens(50, 4).image_distance == 50
-        # The same light as that which chapter 04 counts photons with.
-        lens = Lens(50, 2.8, 400)
-        m = lens.image_distance / 400
-        one, far = (photons_per_pixel(100, 2.8, 0.01, 3.45, magnification=x) for x in (m, 0))
-        assert lens.light / Lens(50, 2.8).light == pytest.approx(float(one / far))
-
-    @pytest.mark.parametrize("arguments", [(0, 2), (50, -1), (50, 2, 50), (50, 2, 20), (50, 2, -1)])
-    def test_errors(self, arguments):
-        with pytest.raises(ValueError, match=r"positive|larger than the focal length of 50 mm"):
-            Lens(*arguments)
-
-
-class TestDisks:
-    @pytest.mark.parametrize("diameter", [0.4, 1.0, 1.5, 1.7, 3.0, 4.9, 5.1, 9, 15.9, 17, 40, 100])
-    def test_second_moment(self, diameter):
-        # What a point becomes, averaged over all places that it may have in the reduced picture.
-        r, weights = 2 ** disks.reduction(diameter), disks.kernel(diameter)
-        side = 256
-        widths = []
-        for start in range(r):
-            point = np.zeros((side, side), np.float32)
-            point[side // 2, side // 2 + start] = 1
-            small = cv2.resize(point, (side // r, side // r), interpolation=cv2.INTER_AREA)
-            small = cv2.filter2D(small, -1, weights)
-            seen = cv2.resize(small, (side, side), interpolation=cv2.INTER_LINEAR).sum(axis=0)
-            assert seen.sum() == pytest.approx(1, abs=1e-4)
-            widths.append((seen * (np.arange(side) - side // 2 - start) ** 2).sum())
-        assert 4 * np.sqrt(np.mean(widths)) == pytest.approx(diameter, rel=0.02, abs=0.03)
-
-    def test_degenerate(self):
-        assert disks.kernel(0.0) is None
-        assert disks.reduction(0.0) == 0
-
-    def test_levels(self):
-        assert levels(3.0, 3.2) == pytest.approx([3.1])
-        many = levels(0.0, 40.0)
-        assert many[0] == 0
-        assert many[-1] == pytest.approx(40)
-        assert ((many[1:] + 2) / (many[:-1] + 2)).max() < 1.5
 
 
 @pytest.mark.parametrize("engine", ["quick", "rays"])
@@ -219,6 +151,13 @@ class TestBothEngines:
 
 
 class TestQuick:
+    def test_levels(self):
+        assert levels(3.0, 3.2) == pytest.approx([3.1])
+        many = levels(0.0, 40.0)
+        assert many[0] == 0
+        assert many[-1] == pytest.approx(40)
+        assert ((many[1:] + 2) / (many[:-1] + 2)).max() < 1.5
+
     @pytest.mark.parametrize(("focus", "rms", "rms_of_means"), [(600, 10, 3.5), (3000, 14, 2.6)])
     def test_is_the_picture_of_the_rays(self, focus, rms, rms_of_means):
         # Disks that are 30 % too large or too small would be beyond both, or one, of the limits.
