@@ -15,7 +15,8 @@ import anywidget
 import traitlets
 
 from course_lib.display import described_picture
-from course_lib.drawing.explorers.frame import Frame, still
+from course_lib.drawing.explorers.frame import Frame
+from course_lib.drawing.explorers.stills import still
 from course_lib.widgets.controls import Control, Slider
 from course_lib.widgets.messages import encode_frame
 

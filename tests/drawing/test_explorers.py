@@ -11,8 +11,8 @@ from course_lib.drawing.explorers.frame import (
     Probe,
     Readout,
     matrix,
-    still,
 )
+from course_lib.drawing.explorers.stills import still
 
 GREY = np.full((60, 80, 3), 128, np.uint8)
 READING = Readout("Field", "θ", "65.5", "°")

@@ -135,6 +135,11 @@ def test_the_error_of_a_corner_scales_all():
         assert value(ten, name) == pytest.approx(10 * value(one, name), rel=0.06)
 
 
+def test_numbers_are_written_without_a_power_of_ten():
+    written = [poses._short(x) for x in (0.01234, 1.96, 12.3, 99.4, 99.6, 1234.4)]
+    assert written == ["0.012", "2", "12", "99", "100", "1234"]
+
+
 def test_every_board_is_in_the_picture():
     frame = poses.poses_frame(0.1, **{f"view{n}": True for n in range(1, 9)})
     outlines = by_role(frame.pictures[2], "object")

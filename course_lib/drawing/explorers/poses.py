@@ -204,7 +204,7 @@ def _named(chosen: list[bool]) -> str:
 
 def _short(value: float) -> str:
     """Return two significant digits, without a power of ten where the number is large."""
-    return f"{value:.0f}" if value >= 100 else f"{value:.2g}"
+    return f"{value:.0f}" if value >= 99.5 else f"{value:.2g}"
 
 
 def _bars(sigma: dict[str, float], noise: float) -> Picture:
