@@ -10,7 +10,7 @@ import csv
 import io
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ from course_lib.judging import Exercise, ValuesExercise
 from data_generators.classes import TIMESTAMP, Simulation, Submission, write_submissions
 from data_generators.handwriting import copy_off, rewrite
 from data_generators.mishaps import TROUBLES
-from data_generators.typed_answers import Typed, misconceived, right
+from data_generators.typed_answers import Typed, UnsteadyError, misconceived, right
 
 #: First name, family name; some that a careless table would spoil.
 PEOPLE = (
@@ -107,26 +107,22 @@ def everyday_class(released: NotebookNode, chapter: str, size: int, rng: Generat
     typed[-1] = _copied(typed[0], rng)
     members = []
     for number, own in enumerate(typed):
-        first, last = PEOPLE[number]
         who = f"s{number + 1:02d}"
         words = " ".join(rng.permutation(WORDS)[: rng.integers(0, 4)])
-        submission: Submission | None = simulation.hand_in(who, own, words)
-        members.append(Member(who, first, last, submission))
+        members.append(Member(who, *PEOPLE[number], simulation.hand_in(who, own, words)))
     return _with_mishaps(members)
 
 
 def _with_mishaps(members: list[Member]) -> list[Member]:
     """Let one be late, one file be cut off, and one student hand nothing in."""
     made = list(members)
-    late, damaged, missing = made[3], made[4], made[5]
-    made[3] = Member(late.id, late.first_name, late.last_name, late.submission, timestamp=LATE)
-    whole = damaged.submission
+    made[3] = replace(made[3], timestamp=LATE)
+    whole = made[4].submission
     assert whole is not None
-    half = Submission(damaged.id, whole.content[: len(whole.content) // 2], None)
-    made[4] = Member(damaged.id, damaged.first_name, damaged.last_name, half)
-    made[5] = Member(missing.id, missing.first_name, missing.last_name, None)
-    last = made[-1]
-    made[-1] = Member(last.id, last.first_name, last.last_name, last.submission, made[0].id)
+    half = Submission(whole.student, whole.content[: len(whole.content) // 2], None)
+    made[4] = replace(made[4], submission=half)
+    made[5] = replace(made[5], submission=None)
+    made[-1] = replace(made[-1], copied_from=made[0].id)
     return made
 
 
@@ -154,7 +150,7 @@ def _answer(exercise: Exercise, ease: float, rng: Generator) -> Typed | None:
     chosen = exercise.misconceptions[which]
     try:
         typed = misconceived(exercise, chosen)
-    except ValueError:  # its points depend on the seed
+    except UnsteadyError:
         return None
     return _in_own_hand(exercise, typed, chosen.variant, rng)
 

@@ -43,7 +43,7 @@ def rewrite(source: str, rng: Generator) -> str:
     documented = ast.get_docstring(function) is not None
     head = function.body[:documented]
     body = function.body[documented:]
-    hand = _Hand(rng, _names_in(tree))
+    hand = _Hand(rng)
     function.body = head + [new for node in body for new in hand.write(node)]
     return rename(ast.unparse(ast.fix_missing_locations(tree)), rng)
 
@@ -115,8 +115,8 @@ def _without_idle_imports(tree: ast.Module) -> ast.Module:
 class _Hand:
     """Rewrites statements: takes parts of them in steps of their own, exchanges factors."""
 
-    def __init__(self, rng: Generator, taken: set[str]) -> None:
-        self._rng, self._taken, self._count = rng, taken, 0
+    def __init__(self, rng: Generator) -> None:
+        self._rng, self._count = rng, 0
 
     def write(self, node: ast.stmt) -> Sequence[ast.stmt]:
         """Return a statement as this hand writes it, with the steps before it."""
