@@ -32,6 +32,8 @@ from course_lib.judging.limits import (
     time_limit,
 )
 
+#: Whose lines no student has written.
+LIBRARIES = {"course_lib", "numpy", "scipy", "cv2", *sys.stdlib_module_names}
 Status = Literal["value", "not attempted", "raised", "time limit", "not plain", "too large"]
 
 
@@ -263,13 +265,13 @@ def _same(case: Case, posed: Case, name: str) -> bool:
 
 
 def _student_line(error: BaseException) -> str:
-    """Return the last line outside this package and NumPy that led to an error.
+    """Return the last line outside of all libraries that led to an error.
 
     Wrong answers of the exercises count as a student's: what they raise is matched with that.
     """
     for frame, number in reversed(list(traceback.walk_tb(error.__traceback__))):
         module = frame.f_globals.get("__name__", "")
-        library = module.partition(".")[0] in ("course_lib", "numpy")
+        library = module.partition(".")[0] in LIBRARIES
         if not library or module.startswith("course_lib.exercises."):
             return linecache.getline(frame.f_code.co_filename, number).strip()
     return ""

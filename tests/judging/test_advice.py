@@ -253,3 +253,71 @@ def test_a_key_that_is_not_there():
 
 def test_the_smallest_of_none():
     assert "No entries are left" in said(lambda a: a[a > 9].min(), np.arange(3.0))
+
+
+@pytest.mark.parametrize(
+    "use", ["a, b = nothing()", "nothing()[0]", "2 * nothing()", "nothing()()"]
+)
+def test_a_function_that_lacks_its_return(use):
+    assert "`return`" in said(exec, use, {"nothing": lambda: None})
+
+
+@pytest.mark.parametrize(
+    "use", ["np.linalg.norm - 1", "a.sum / 2", "np.sqrt * 2", "np.array[1, 2]"]
+)
+def test_a_function_without_its_brackets(use):
+    assert "round brackets call it" in said(exec, use, {"np": np, "a": np.ones(3)})
+
+
+def test_an_index_is_a_whole_number():
+    a, rows = np.ones((4, 2)), [[1.0, 2.0], [3.0, 4.0]]
+    for use in (lambda: a[1.0], lambda: a[np.array([0.0, 1.0])], lambda: rows[len(rows) / 2]):
+        assert "`//`" in said(use)
+    assert "has no columns" in said(lambda: rows[:, 0])
+
+
+def test_what_has_no_parts():
+    for use in (lambda: np.float64(2)[0], lambda number=2.0: number[0]):
+        assert "no parts" in said(use)
+    for many in (zip("a"), map(abs, [1]), {1: 2}.values(), (x for x in "a")):
+        assert "`list(…)`" in said(lambda m=many: m[0])
+    assert "no length" in said(len, 2.5)
+
+
+def test_names_behind_a_dot():
+    assert "`np.linalg.norm`" in said(lambda: np.norm)
+    assert "`np.cross(a, b)`" in said(lambda: np.ones(3).cross(np.ones(3)))
+    assert "`np.asarray(…)`" in said(lambda number=2.0: number.shape)
+
+
+def test_texts_that_are_no_numbers():
+    assert "`float(…)`" in said(lambda text="12": text - 1)
+    assert "`float(…)`" in said(lambda text="12": text + 1)
+    assert "letters or blanks" in said(float, "50 mm")
+    assert "letters or blanks" in said(int, "f/8")
+
+
+def test_numbers_that_are_no_finite_ones():
+    for use in (lambda: int(math.nan), lambda: int(math.inf)):
+        assert "NaN or infinite" in said(use)
+    assert "NaN or infinite" in said(np.linalg.svd, np.full((3, 3), np.nan))
+
+
+def test_whole_numbers_that_should_be_decimals():
+    a = np.array([1, 2])
+    assert "`1 / a`" in said(lambda: a**-1)
+    assert "`a = a / 2`" in said(exec, "a /= 2", {"a": a})
+
+
+def test_true_and_false_are_not_subtracted():
+    yes = np.array([True, False])
+    assert "`~a`" in said(lambda: yes - yes)
+    assert "`~a`" in said(lambda: -yes)
+
+
+def test_letters_of_einsum():
+    assert "`einsum`" in said(np.einsum, "ij,jk", np.ones((4, 3)), np.ones((4, 3)))
+
+
+def test_the_smallest_of_an_empty_list():
+    assert "No entries are left" in said(min, [])

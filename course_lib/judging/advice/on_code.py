@@ -2,38 +2,49 @@
 
 from __future__ import annotations
 
+import re
+
+POWER = "In Python `^` is no power: write `f**2`."
 ROWS = "The rows of a matrix come as one list, with brackets of its own: `np.array([[…], […]])`."
 NONE = "Something here is None. Has a search found nothing, or does a function lack its `return`?"
 HYPOT = "`np.hypot` takes the two sides one by one: `np.hypot(a, b)`, or `np.hypot(*sides)`."
-LIST = "A list cannot be computed with. Make it an array: `np.array(…)`."
+LIST = "A list or a tuple cannot be computed with. Make it an array: `np.array(…)`."
+TEXT = "A text cannot be computed with: `float(…)` makes a number of one like '12.5'."
+INDEX = "What counts rows is a whole number: `int(…)` makes one, and `//` divides without a rest."
+PARTS = "One number has no parts that `[…]` could pick."
+CALL = "A function stands here and not its result: round brackets call it, as in `np.sqrt(2)`."
 ONE = "This works for one number only; NumPy has it for arrays too."
 SEVERAL = "A function gave several values, and they have one name together. Name each: `a, b = …`."
 SHAPE = "The sizes of an array come as one, with brackets of their own: `np.zeros((3, 4, 2))`."
 
-ON_CODE: tuple[tuple[str, str, str], ...] = (
-    ("TypeError", "for ^", "In Python `^` is no power: write `f**2`."),
-    ("TypeError", "bitwise_xor", "In Python `^` is no power: write `f**2`."),
+ON_CODE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
+    ("TypeError", "for ^", POWER),
+    ("TypeError", "'bitwise_xor'", POWER),
+    ("TypeError", "NoneType", NONE),
+    ("AttributeError", "NoneType", NONE),
     (
         "TypeError",
         "object is not callable",
-        "A number stands right before a bracket, so Python takes it for a function. "
-        "Is a `*` missing?",
+        "A number or an array stands right before a bracket, so Python takes it for a function. "
+        "Is a `*` missing, or are square brackets meant?",
     ),
+    ("TypeError", re.compile("operand.*'(function|.*_method|.*Dispatcher|.*ufunc)'"), CALL),
+    ("TypeError", re.compile("(function|_method|Dispatcher|ufunc)' object is not subs"), CALL),
     ("TypeError", "Field elements", ROWS),
     ("TypeError", "array() takes", ROWS),
-    (
-        "TypeError",
-        "'tuple'",
-        "A tuple cannot be computed with. Make it an array: `np.array(…)`.",
-    ),
+    ("TypeError", "'tuple'", LIST),
     ("TypeError", "'list'", LIST),
+    ("TypeError", "multiply sequence", LIST),
     ("AttributeError", "'list'", LIST),
     ("AttributeError", "'tuple'", SEVERAL),
     (
         "TypeError",
-        "multiply sequence",
-        "A tuple or a list cannot be computed with. Make it an array: `np.array(…)`.",
+        "indices must be integers or slices, not tuple",
+        "A list has no columns: `[0, 1]` picks from an array only. Make it one: `np.array(…)`.",
     ),
+    ("TypeError", "indices must be integers", INDEX),
+    ("TypeError", "'str'", TEXT),
+    ("TypeError", "concatenate str", TEXT),
     (
         "TypeError",
         "unpack non-iterable",
@@ -46,8 +57,6 @@ ON_CODE: tuple[tuple[str, str, str], ...] = (
         "arctan2() takes",
         "`np.arctan2` takes the two sides one by one, the opposite one first: `np.arctan2(a, b)`.",
     ),
-    ("TypeError", "'NoneType'", NONE),
-    ("AttributeError", "'NoneType'", NONE),
     ("TypeError", "only 0-dim", ONE),
     ("TypeError", "only length-1", ONE),
     ("TypeError", "as a data type", SHAPE),
@@ -64,7 +73,33 @@ ON_CODE: tuple[tuple[str, str, str], ...] = (
         "of two numbers is `np.minimum(a, b)`.",
     ),
     ("KeyError", "", "The dictionary has no such key. Print those that it has: `print(list(…))`."),
-    ("TypeError", "not subscriptable", "One number has no parts that `[…]` could pick."),
+    (
+        "TypeError",
+        re.compile("'(zip|map|filter|generator|set|dict_.*)' object is not subscriptable"),
+        "This is made one by one, and has no places. Make a list of it: `list(…)`.",
+    ),
+    ("TypeError", "not subscriptable", PARTS),
+    ("IndexError", "invalid index to scalar", PARTS),
+    ("IndexError", "valid indices", INDEX),
+    ("IndexError", "must be of integer", INDEX),
+    ("TypeError", "has no len()", "One number has no length. Print what stands in the brackets."),
+    (
+        "AttributeError",
+        "module '",
+        "The module has nothing of this name. Is it misspelt, or is it in a part of the module, as "
+        "`norm` in `np.linalg.norm`?",
+    ),
+    (
+        "AttributeError",
+        "'numpy.ndarray'",
+        "An array has nothing of this name behind its dot. Is it misspelt, or a function that "
+        "takes the array, as `np.cross(a, b)`?",
+    ),
+    (
+        "AttributeError",
+        re.compile("'(int|float)'"),
+        "A plain number has neither `.T` nor `.shape`. With `np.asarray(…)` it has.",
+    ),
     (
         "TypeError",
         "stack() takes",

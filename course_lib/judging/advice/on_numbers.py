@@ -17,6 +17,23 @@ INNER = (
 ENTRY = "Several numbers do not fit into one entry. Print both shapes: is an axis missing?"
 COLUMN = "Print both shapes. A single 1 is no column: a row each needs one, `np.ones(len(points))`."
 
+EMPTY = (
+    "No entries are left of which one could be the smallest or largest. What should the answer be "
+    "then?"
+)
+NO_NUMBER = "This text is not a number alone. Print it: are there letters or blanks in it?"
+NOT_FINITE = "A number is NaN or infinite here. Print what goes in: where does it come from?"
+
+
+def meets(count: str) -> str:
+    """Say what a list of so many numbers does to a table of another width."""
+    return (
+        f"A list of {count} numbers meets a table that has not {count} columns. Print both shapes. "
+        "A shift is added to points in rows as `+ t`; to points in columns, as from "
+        "`R @ points.T`, it is `+ t[:, None]`."
+    )
+
+
 ON_NUMBERS: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
     ("ValueError", re.compile(r"with a sequence\.$"), ENTRY),
     ("ValueError", re.compile("along dimension 0.* at index 1 has size 1$"), COLUMN),
@@ -119,25 +136,19 @@ ON_NUMBERS: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "Arrays that are stacked have one shape. Print both. For all pixels of a picture "
         "`np.meshgrid` makes two tables of one shape.",
     ),
-    (
-        "ValueError",
-        ") (3,)",
-        "A list of three numbers meets a table that has not three columns. Print both shapes. A "
-        "shift is added to points in rows as `+ t`; to points in columns, as from `R @ points.T`, "
-        "it is `+ t[:, None]`.",
-    ),
-    (
-        "ValueError",
-        ") (2,)",
-        "A list of two numbers meets a table that has not two columns. Print both shapes. A shift "
-        "is added to points in rows as `+ t`; to points in columns, as from `R @ points.T`, it is "
-        "`+ t[:, None]`.",
-    ),
+    ("ValueError", ") (3,)", meets("three")),
+    ("ValueError", ") (2,)", meets("two")),
     (
         "ValueError",
         ONE_FOR_EACH_ROW,
         "One number for each row meets a table, whose columns it does not fit. Make it a column: "
         "`a[:, 2:]` and not `a[:, 2]`, or `a[:, None]`, or `np.linalg.norm(…, keepdims=True)`.",
+    ),
+    (
+        "ValueError",
+        "remapped shapes",
+        "A letter of `einsum` stands for two axes of different size. Print the shapes: each letter "
+        "is one axis, and has one size.",
     ),
     (
         "ValueError",
@@ -166,11 +177,30 @@ ON_NUMBERS: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "its rows; `p[..., 0]` is the first number of each. With `x, *_ =` the first of several "
         "values gets a name.",
     ),
+    ("ValueError", "zero-size array to reduction", EMPTY),
+    ("ValueError", "empty sequence", EMPTY),
+    ("ValueError", "could not convert string", NO_NUMBER),
+    ("ValueError", "invalid literal", NO_NUMBER),
+    ("ValueError", "NaN to integer", NOT_FINITE),
+    ("OverflowError", "infinity to integer", NOT_FINITE),
+    ("LinAlgError", "did not converge", NOT_FINITE),
     (
         "ValueError",
-        "zero-size array to reduction",
-        "No entries are left of which one could be the smallest or largest. What should the answer "
-        "be then?",
+        "negative integer powers",
+        "NumPy gives whole numbers no negative powers: write `1 / a`, or make them decimals by "
+        "`np.asarray(a, float)`.",
+    ),
+    (
+        "UFuncTypeError",
+        "output from",
+        "An array of whole numbers cannot hold decimals, so `/=` and `+=` fail. Make a new array: "
+        "`a = a / 2`.",
+    ),
+    (
+        "TypeError",
+        "numpy boolean",
+        "True and False have no difference: `~a` turns them round, and `a.astype(int)` makes "
+        "numbers of them.",
     ),
     (
         "ValueError",
