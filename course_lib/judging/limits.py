@@ -166,10 +166,11 @@ def plain(value: Any, limit: int, depth: int = 4) -> Any:
         raise TooLargeError(f"{len(value)} items")
     if value is None or type(value) in (bool, int, float, complex, str):
         return value
-    if depth and type(value) in (tuple, list):
-        return type(value)(plain(item, limit, depth - 1) for item in value)
-    if depth and type(value) is dict and all(type(key) in (str, int) for key in value):
-        return {key: plain(item, limit, depth - 1) for key, item in value.items()}
+    if depth and isinstance(value, tuple | list):  # a named tuple, too
+        base: Any = tuple if isinstance(value, tuple) else list
+        return base(plain(item, limit, depth - 1) for item in base.__iter__(value))
+    if depth and isinstance(value, dict) and all(type(key) in (str, int) for key in value):
+        return {key: plain(item, limit, depth - 1) for key, item in dict.items(value)}
     raise NotPlainError(type(value).__name__)
 
 

@@ -89,7 +89,7 @@ def _ways(own: OwnAnswers, answers: Sequence[Answer], wrong: Sequence[int]) -> I
 
     def explained(explains: Callable[[Case, Any], bool], i: int) -> bool:
         value = i in wrong and answers[i].status == "value"
-        return value and explains(own.cases[i], answers[i].value)
+        return value and _explains(explains, own.cases[i], answers[i].value)
 
     def given_too(compare: Comparison, variant: Callable[..., Any], i: int) -> bool:
         return _alike(compare, answers[i], own.of(variant, i))
@@ -150,4 +150,11 @@ def _agrees(compare: Comparison, given: Answer, outcome: Answer) -> bool:
     try:
         return compare(given.value, outcome.value) is None
     except (TypeError, ValueError):  # what a wrong variant gives need not be comparable in this way
+        return False
+
+
+def _explains(explains: Callable[[Case, Any], bool], case: Case, value: Any) -> bool:
+    try:
+        return explains(case, value)
+    except Exception:  # the answer may be anything
         return False

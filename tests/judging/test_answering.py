@@ -1,9 +1,11 @@
 """A student's function may do anything; a list of plain answers comes back."""
 
 import contextlib
+import statistics
 import sys
 import threading
 import time
+from collections import defaultdict
 
 import numpy as np
 import pytest
@@ -47,6 +49,13 @@ def test_value_comes_back_as_plain_data():
     assert first(lambda numbers: {"a": (1, [2.5, "x", None, True])}).value == {
         "a": (1, [2.5, "x", None, True])
     }
+
+
+def test_tuples_with_names_and_dictionaries_with_a_default_are_plain():
+    pair = statistics.linear_regression([0, 1], [1, 3])
+    given = first(lambda numbers: [pair, defaultdict(int, a=1)]).value
+    assert given == [(2, 1), {"a": 1}]
+    assert [type(one) for one in given] == [tuple, dict]
 
 
 def test_stub_was_not_attempted():

@@ -114,19 +114,24 @@ def test_a_form_that_agrees_with_more_parts_does_not_hide_the_one_that_fits():
 
 
 def test_own_answers_are_worked_out_once_and_for_these_cases_only():
-    calls = []
+    calls = {"right": [], "wrong": []}
 
-    def counted(values, factor):
-        calls.append(factor)
+    def right(values, factor):
+        calls["right"].append(factor)
+        return values * factor
+
+    def wrong(values, factor):
+        calls["wrong"].append(factor)
         return values / factor
 
     exercise = Exercise(
-        "demo", scaled, parts={"plain": drawn}, misconceptions=[Misconception(counted, "Smaller?")]
+        "demo", right, parts={"plain": drawn}, misconceptions=[Misconception(wrong, "Smaller?")]
     )
     cases = pose(exercise, 3)
     own, answers = OwnAnswers(exercise, cases), answer(exercise, divided, cases)
     verdicts = [judge(exercise, cases, answers, own=own) for _ in range(3)]
-    assert calls == [case.inputs["factor"] for case in cases]
+    asked = [case.inputs["factor"] for case in cases]
+    assert calls == {"right": asked, "wrong": asked}
     assert [verdict.hints for verdict in verdicts] == [("Smaller?",)] * 3
     with pytest.raises(ValueError, match="other cases"):
         judge(exercise, pose(exercise, 3), answers, own=own)
