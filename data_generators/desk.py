@@ -22,6 +22,9 @@ from data_generators.quick import QuickRenderer
 from data_generators.scene import Patch, Scene, box
 
 Pixels = NDArray[np.uint8]
+#: How a camera is held: towards which place (mm), tilt, from where (degrees), distance (mm) and
+#: turn (degrees), as `pose_towards` takes them.
+Aim = tuple[tuple[float, float], float, float, float, float]
 
 TARGET = Checkerboard(9, 6, 25.0)
 #: ISO/IEC 7810, ID-1: every bank card; width, height and thickness, mm.

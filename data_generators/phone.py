@@ -1,22 +1,25 @@
 """Files as they come from a phone: photographs of the desk with Exif, and what comes with them.
 
 For tests of what reads photographs, and for readers without a camera. The camera is that of
-`data_generators.desk`; make, model and place in the files are invented.
+`data_generators.desk`; make, model, place and time in the files are invented.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from course_lib.camera import Camera
 from course_lib.checks import Array, check_count, check_generator
 from data_generators import desk
+from data_generators.desk import Aim
+
+if TYPE_CHECKING:
+    from PIL import Image
 
 What = Literal[
     "good",
@@ -49,6 +52,10 @@ TILTS, DISTANCES, ROLLS = (12.0, 40.0), (290.0, 400.0), (-8.0, 8.0)
 #: The target comes into these parts of the picture in turn, by its size.
 PARTS = [(u, v) for v in (0.5, 0.36, 0.64) for u in (0.5, 0.36, 0.64)]
 RIM, TRIES = 0.02, 150
+NOISE, QUALITY = 3.0, 90  # grey levels; of the JPEG
+#: So the phone is held when the target is cut off, or beside what is seen.
+CUT_OFF: Aim = ((-70, 62), 25, 0, 300, 0)
+NO_TARGET: Aim = ((700, -300), 20, 0, 420, 0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,22 +134,65 @@ def _written(
     if what == "letter":
         path.write_text("Dear reader, this was called a picture by mistake.", encoding="utf-8")
         return PhoneFile(path, what)
-    R, t = _pose(number, what, size, rng)
+    aim = _aim(number, what, size, rng)
     blur = size[0] * (BLURRED if what == "blurred" else SOFT)
-    view = desk.photograph_desk(R, t, size, rng, blur, noise=3.0)
-    _save(path, view.picture, what, number)
-    as_taken = what not in ("turned", "small copy", "zoomed")
-    return PhoneFile(path, what, view.camera if as_taken else None)
+    exif = b"" if what == "small copy" else _exif(what, number)
+    change = CHANGES.get(what)
+    camera = write_photograph(path, aim, size, rng, blur, NOISE, exif=exif, change=change)
+    return PhoneFile(path, what, camera if change is None else None)
 
 
-def _pose(
-    number: int, what: What, size: tuple[int, int], rng: np.random.Generator
-) -> tuple[Array, Array]:
-    """Return where the phone is held."""
-    if what == "cut off":
-        return desk.pose_towards((-70, 62), 25, 0, 300, 0)
-    if what == "no target":
-        return desk.pose_towards((700, -300), 20, 0, 420, 0)
+def write_photograph(
+    path: Path,
+    aim: Aim,
+    image_size: tuple[int, int],
+    rng: np.random.Generator,
+    blur: float,
+    noise: float,
+    *,
+    quality: int = QUALITY,
+    exif: Image.Exif | bytes = b"",
+    change: Callable[[Image.Image], Image.Image] | None = None,
+) -> Camera:
+    """Photograph the desk, and write the picture as a JPEG.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    aim : tuple
+        How the phone is held: arguments of `data_generators.desk.pose_towards`.
+    image_size : tuple of int
+        Width and height as the sensor has them, px.
+    rng : numpy.random.Generator
+        For the noise.
+    blur, noise : float
+        Standard deviations: of the blur, px, and of a pixel, grey levels.
+    quality : int
+        Of the JPEG.
+    exif : PIL.Image.Exif or bytes
+        What else is in the file; nothing unless given.
+    change : callable, optional
+        What a program makes of the picture before it is written.
+
+    Returns
+    -------
+    Camera
+        The truth about the picture as it was taken; its world is the frame of the target.
+    """
+    from PIL import Image
+
+    view = desk.photograph_desk(*desk.pose_towards(*aim), image_size, rng, blur, noise)
+    picture = Image.fromarray(view.picture)
+    picture = picture if change is None else change(picture)
+    picture.save(path, format="JPEG", quality=quality, exif=exif)
+    return view.camera
+
+
+def _aim(number: int, what: What, size: tuple[int, int], rng: np.random.Generator) -> Aim:
+    """Return how the phone is held."""
+    if what in ("cut off", "no target"):
+        return CUT_OFF if what == "cut off" else NO_TARGET
     turn = {"upside down": 180.0, "portrait": 90.0}.get(what, 0.0)
     wanted = np.array(PARTS[number % len(PARTS)]) * size
     points = desk.TARGET.points()
@@ -150,13 +200,11 @@ def _pose(
     for _ in range(TRIES):
         middle = points.mean(axis=0)[:2] + rng.uniform(-110, 110, 2)
         tilt, distance, roll = (rng.uniform(*range_) for range_ in (TILTS, DISTANCES, ROLLS))
-        R, t = desk.pose_towards(
-            (middle[0], middle[1]), tilt, rng.uniform(0, 360), distance, roll + turn
-        )
-        seen = Camera(desk.intrinsics(size), R, t, size).project(points)
+        aim = ((middle[0], middle[1]), tilt, rng.uniform(0, 360), distance, roll + turn)
+        seen = Camera(desk.intrinsics(size), *desk.pose_towards(*aim), size).project(points)
         apart = float(np.linalg.norm(seen.mean(axis=0) - wanted))
         if apart < least and _inside(seen, size):
-            best, least = (R, t), apart
+            best, least = aim, apart
     if best is None:
         raise ValueError(f"the target never came wholly into a picture of {size[0]} × {size[1]} px")
     return best
@@ -168,26 +216,26 @@ def _inside(pixels: Array, size: tuple[int, int]) -> bool:
     return bool(((pixels > rim) & (pixels < np.array(size) - 1 - rim)).all())
 
 
-def _save(path: Path, picture: NDArray[np.uint8], what: What, number: int) -> None:
-    """Write a photograph as JPEG, changed as by a program if that is what is wrong with it."""
-    from PIL import Image
-
-    image = Image.fromarray(picture)
-    width, height = image.size
-    options: dict[str, Any] = {"quality": 90}
-    if what == "turned":
-        image = image.transpose(Image.Transpose.ROTATE_90)
-    if what == "zoomed":
-        middle = (width // 4, height // 4, width - width // 4, height - height // 4)
-        image = image.resize((width, height), box=middle)
-    if what == "small copy":
-        image = image.resize((width // 2, height // 2))
-    else:
-        options["exif"] = _exif(what, number)
-    image.save(path, format="JPEG", **options)
+def _turned(picture: Image.Image) -> Image.Image:
+    return picture.rotate(90, expand=True)
 
 
-def _exif(what: What, number: int) -> Any:
+def _smaller(picture: Image.Image) -> Image.Image:
+    return picture.resize((picture.width // 2, picture.height // 2))
+
+
+def _zoomed(picture: Image.Image) -> Image.Image:
+    """Return the middle of a picture, as large as the whole."""
+    width, height = picture.size
+    middle = (width // 4, height // 4, width - width // 4, height - height // 4)
+    return picture.resize(picture.size, box=middle)
+
+
+#: What a program makes of a picture: it is no longer as the sensor had it.
+CHANGES = {"turned": _turned, "small copy": _smaller, "zoomed": _zoomed}
+
+
+def _exif(what: What, number: int) -> Image.Exif:
     """Return what the phone writes into a file."""
     from PIL import Image
 

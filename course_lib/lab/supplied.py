@@ -13,11 +13,10 @@ import numpy as np
 
 from course_lib.boards import Checkerboard
 from data_generators import desk
+from data_generators.desk import Aim
+from data_generators.phone import CUT_OFF, write_photograph
 
 SIZE = (1200, 900)
-#: Towards which place (mm), tilt, from where, distance, turn of the phone (degrees).
-Aim = tuple[tuple[float, float], float, float, float, float]
-
 #: The camera is calibrated with these.
 TARGET_AIMS: tuple[Aim, ...] = (
     ((100, 62), 4, 20, 330, 0),
@@ -41,7 +40,6 @@ MEASURING_AIMS: tuple[Aim, ...] = (
 )
 #: Two more cannot be used: one is blurred, in one the target is cut off.
 SHARP, BLURRED = 0.8, 7.0  # px
-CUT_OFF: Aim = ((-70, 62), 25, 0, 300, 0)
 NOISE, QUALITY = 5.0, 88
 
 
@@ -98,10 +96,6 @@ def supplied_photographs() -> tuple[Path, ...]:
 
 def _written(folder: Path, number: int, aim: Aim, blur: float) -> Path:
     """Write one photograph as a JPEG; return its file."""
-    from PIL import Image
-
-    R, t = desk.pose_towards(*aim)
-    view = desk.photograph_desk(R, t, SIZE, np.random.default_rng(number), blur, NOISE)
-    path = folder / _name(number)
-    Image.fromarray(view.picture).save(path, quality=QUALITY)
+    path, rng = folder / _name(number), np.random.default_rng(number)
+    write_photograph(path, aim, SIZE, rng, blur, NOISE, quality=QUALITY)
     return path

@@ -13,17 +13,18 @@ from PIL import Image
 from course_lib import lab
 from course_lib.lab import supplied
 from data_generators import desk
+from data_generators.phone import write_photograph
 
 SIZE = (640, 480)
 MEASURING = ("m1.jpg", "m2.jpg", "m3.jpg")
 
 
-def write(path: Path, aim: supplied.Aim, seed: int) -> None:
+def write(path: Path, aim: desk.Aim, seed: int) -> None:
     """Write a photograph that names its place and owner, as phones do."""
-    view = desk.photograph_desk(*desk.pose_towards(*aim), SIZE, np.random.default_rng(seed))
     said = Image.Exif()
     said[0x010E] = "my kitchen"
-    Image.fromarray(view.picture).save(path, quality=92, exif=said)
+    rng = np.random.default_rng(seed)
+    write_photograph(path, aim, SIZE, rng, 0.6, 2.0, quality=92, exif=said)
 
 
 @pytest.fixture(scope="package")
