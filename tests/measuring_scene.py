@@ -1,12 +1,12 @@
-"""A camera that we chose, a target, and an object whose size is known."""
+"""A camera that we chose, a pair of it, a target, and an object whose size is known."""
 
 import numpy as np
 
-from course_lib.calibration import board_points, calibrate
+from course_lib.calibration import board_points, calibrate, calibrate_stereo
 from course_lib.camera import camera_matrix, project
 from course_lib.distortion import distort_pixels
 from course_lib.measuring import view_of_target
-from course_lib.transforms import rotation_x, rotation_y, rotation_z
+from course_lib.transforms import compose, rotation_x, rotation_y, rotation_z
 from data_generators.board_observations import observe_board
 
 K = np.array([[800, 0, 330], [0, 805, 235], [0, 0, 1.0]])
@@ -21,6 +21,9 @@ POSES = (
 )
 FLAT = np.array([[130.0, 10, 0], [135, 95, 0]])
 RAISED = np.array([[130.0, 10, -20], [110, 80, -60]])
+#: From the left camera of a pair to the right one.
+TURNED = rotation_y(-0.15) @ rotation_x(0.02)
+SHIFT = np.array([-100.0, 2, 5])
 
 
 def image(points, pose):
@@ -43,3 +46,16 @@ def targeted(calibration, noise=0.2, rng=None, poses=POSES):
         view_of_target(TARGET, image(TARGET, pose) + rng.normal(0, noise, size), calibration)
         for pose in poses
     ]
+
+
+def stereo(noise, rng, pairs=10):
+    """Return a pair of equal cameras, calibrated from the same pairs of pictures with new noise."""
+    seen = observe_board(np.random.default_rng(4), BOARD, K, COEFFICIENTS, SIZE, pairs)
+    right = [image(BOARD, compose(TURNED, SHIFT, R, t)) for R, t in seen.poses]
+    noisy = [[p + rng.normal(0, noise, p.shape) for p in side] for side in (seen.pixels, right)]
+    return calibrate_stereo(BOARD, *noisy, SIZE)
+
+
+def in_pair(points):
+    """Return the exact pixels of points of the left camera's frame in both pictures."""
+    return np.stack([image(points, (np.eye(3), np.zeros(3))), image(points, (TURNED, SHIFT))])
