@@ -11,11 +11,14 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from datetime import date
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from course_lib.detection.result import grey_picture
 
 #: What is looked for in a folder.
 ENDINGS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp", ".webp", ".pgm", ".ppm")
@@ -23,8 +26,9 @@ ENDINGS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp", ".webp", ".pgm", ".
 UNREADABLE = (".heic", ".heif", ".avif", ".dng", ".nef", ".cr2", ".cr3", ".arw", ".raf", ".orf")
 #: More pixels than any camera has: such a picture is no photograph.
 MOST_PIXELS = 400_000_000
-#: Tag of Exif's part on the exposure; in it, those of the focal length and its 35 mm equivalent.
-EXIF_PART, FOCAL_LENGTH, FOCAL_35 = 0x8769, 0x920A, 0xA405
+#: Tag of Exif's part on the exposure; in it, those of the time, the focal length and its 35 mm
+#: equivalent.
+EXIF_PART, TAKEN, FOCAL_LENGTH, FOCAL_35 = 0x8769, 0x9003, 0x920A, 0xA405
 #: Focal lengths that differ by more are of another lens or zoom.
 SAME_FOCAL = 0.01
 #: How files begin, after four bytes, that iPhones write unless told otherwise.
@@ -60,6 +64,8 @@ class Header:
         Fingerprint of the file.
     focal_35 : float
         Focal length that shows the same on 36 mm × 24 mm, mm; 0 if the file does not say.
+    taken : date, optional
+        The day of the photograph, by the camera's clock.
     """
 
     path: Path
@@ -67,6 +73,7 @@ class Header:
     focal: float
     digest: str
     focal_35: float = 0.0
+    taken: date | None = None
 
     @property
     def focal_px(self) -> float:
@@ -155,20 +162,36 @@ def read_header(path: Path) -> Header:
         If it is no picture that can be opened.
     """
     with _opened(path) as picture:
-        size, (focal, focal_35) = picture.size, _focal_lengths(picture)
+        size, told = picture.size, _exif(picture)
+    focal, focal_35 = (_length(told.get(tag)) for tag in (FOCAL_LENGTH, FOCAL_35))
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
-    return Header(path, size, focal, digest, focal_35)
+    return Header(path, size, focal, digest, focal_35, _day(told.get(TAKEN)))
 
 
-def _focal_lengths(picture: Any) -> tuple[float, float]:
-    """Return the focal length and its 35 mm equivalent, mm; 0 where Exif is silent or broken."""
+def _exif(picture: Any) -> dict[int, Any]:
+    """Return Exif's part on the exposure; nothing where it is broken."""
     try:
-        told = picture.getexif().get_ifd(EXIF_PART)
-        values = [float(told.get(tag, 0)) for tag in (FOCAL_LENGTH, FOCAL_35)]
+        return dict(picture.getexif().get_ifd(EXIF_PART))
     except Exception:  # a broken Exif part breaks readers in many ways; the picture may be fine
-        return 0.0, 0.0
-    focal, focal_35 = (v if math.isfinite(v) and v > 0 else 0.0 for v in values)
-    return focal, focal_35
+        return {}
+
+
+def _length(told: Any) -> float:
+    """Return a focal length, mm; 0 where Exif is silent or makes no sense."""
+    try:
+        length = float(told)
+    except (TypeError, ValueError, ArithmeticError):
+        return 0.0
+    return length if math.isfinite(length) and length > 0 else 0.0
+
+
+def _day(told: Any) -> date | None:
+    """Return the day of a time as Exif writes it, 2026:03:20 10:01:00."""
+    try:
+        year, month, day = map(int, str(told)[:10].split(":"))
+        return date(year, month, day)
+    except ValueError:
+        return None
 
 
 def read_grey(path: Path) -> Picture:
@@ -189,6 +212,21 @@ def read_grey(path: Path) -> Picture:
             values = np.asarray(picture, np.float32)
             return values / max(float(values.max()), 1.0)
         return np.asarray(picture.convert("L"))
+
+
+def read_rgb(path: Path) -> NDArray[np.uint8]:
+    """Return a picture in colour, as the sensor has it, like `read_grey`.
+
+    Raises
+    ------
+    SetAside
+        If the file is broken.
+    """
+    with _opened(path) as picture:
+        if not picture.mode.startswith(("I", "F")):
+            return np.asarray(picture.convert("RGB"), np.uint8)
+    grey = np.rint(grey_picture(read_grey(path))).astype(np.uint8)
+    return np.repeat(grey[..., None], 3, axis=2)
 
 
 @contextmanager

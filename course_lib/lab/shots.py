@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from course_lib.calibrating.pictures import SetAside
+from course_lib.calibrating.pictures import SetAside, read_rgb
 from course_lib.lab.photographs import Work
-from course_lib.lab.words import say
+from course_lib.lab.words import say, sentence
 from course_lib.measuring import View, view_of_target
 
 
@@ -62,7 +62,7 @@ def shot(work: Work, name: str, unevenness: float = 0.0, besides: Shot | None = 
     Raises
     ------
     ValueError
-        If there is no camera yet.
+        If there is no camera yet, or no photograph any more.
     """
     camera = work.camera
     good = {photo.name: photo for photo in work.photos if photo.used}
@@ -76,11 +76,17 @@ def shot(work: Work, name: str, unevenness: float = 0.0, besides: Shot | None = 
             f"what is measured there. The target was found in {', '.join(good)}."
         )
     photo = good[chosen]
+    try:
+        photograph = read_rgb(photo.path)
+    except SetAside as reason:
+        gone = replace(photo, used=False, verdict=sentence(reason))
+        photos = tuple(gone if other is photo else other for other in work.photos)
+        return shot(replace(work, photos=photos), name, unevenness, besides)
     assert photo.detection is not None
     corners = np.asarray(photo.detection.points, float)
     points = work.target.points()[photo.detection.ids]
     view = view_of_target(points, corners, camera, unevenness)
-    return Shot(chosen, read_rgb(photo.path), corners, view, work.own)
+    return Shot(chosen, photograph, corners, view, work.own)
 
 
 def _why_not(work: Work, name: str, twice: bool) -> str:
@@ -104,22 +110,7 @@ def _another(work: Work, good: list[str], name: str, before: str) -> str:
     """Return a photograph in the place of one: for three names, three different ones."""
     kept = [n for n in work.measuring if n in good and n != before]
     others = kept or [n for n in good if n != before]
+    if not others:
+        raise ValueError("no photograph is left: run the cell with `look` again")
     place = work.measuring.index(name) if name in work.measuring else 0
     return others[place % len(others)]
-
-
-def read_rgb(path: Path) -> NDArray[np.uint8]:
-    """Return a photograph in colour, as the sensor had it.
-
-    Raises
-    ------
-    SetAside
-        If it cannot be read any more.
-    """
-    from PIL import Image
-
-    try:
-        with Image.open(path) as picture:
-            return np.asarray(picture.convert("RGB"), np.uint8)
-    except OSError as error:
-        raise SetAside(f"{path.name} cannot be read any more ({error})") from None

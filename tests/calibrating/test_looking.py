@@ -1,3 +1,5 @@
+from datetime import date
+
 import cv2
 import numpy as np
 import pytest
@@ -11,6 +13,7 @@ from course_lib.calibrating.pictures import (
     left_out,
     read_grey,
     read_header,
+    read_rgb,
     usual_size,
     why_other_size,
 )
@@ -144,6 +147,42 @@ class TestReading:
         header = read_header(tmp_path / "a.jpg")
         # 26 mm of a diagonal of 43.27 mm, and the picture's diagonal has 500 px.
         assert header.focal_px == pytest.approx(26 / 43.267 * 500, rel=1e-4)
+
+    @pytest.mark.parametrize(
+        ("told", "day"),
+        [
+            ("2026:03:20 23:59:59", date(2026, 3, 20)),
+            ("0000:00:00 00:00:00", None),
+            ("2026-03-20", None),
+            ("   ", None),
+        ],
+    )
+    def test_day(self, tmp_path, told, day):
+        exif = Image.Exif()
+        exif.get_ifd(0x8769)[0x9003] = told
+        exif.get_ifd(0x8769)[0x920A] = 24.5
+        Image.new("RGB", (4, 3)).save(tmp_path / "a.jpg", exif=exif)
+        header = read_header(tmp_path / "a.jpg")
+        assert header.taken == day
+        assert header.focal == 24.5
+
+    def test_in_colour_as_on_the_sensor(self, tmp_path):
+        picture = np.zeros((3, 4, 3), np.uint8)
+        picture[0, 1] = 10, 200, 90
+        exif = Image.Exif()
+        exif[0x0112] = 6
+        Image.fromarray(picture).save(tmp_path / "a.png", exif=exif)
+        np.testing.assert_array_equal(read_rgb(tmp_path / "a.png"), picture)
+        deep = (np.arange(12, dtype=np.uint16).reshape(3, 4) * 257 * 20).astype(np.uint16)
+        Image.fromarray(deep).save(tmp_path / "deep.png")
+        seen = read_rgb(tmp_path / "deep.png")
+        np.testing.assert_array_equal(seen, np.repeat(deep[..., None] // 257, 3, axis=2))
+
+    def test_a_picture_of_many_pixels_is_read_without_a_warning(self, tmp_path, monkeypatch):
+        Image.new("RGB", (400, 300)).save(tmp_path / "large.png")
+        monkeypatch.setattr(Image, "MAX_IMAGE_PIXELS", 1000)  # Pillow refuses twice as many
+        assert read_rgb(tmp_path / "large.png").shape == (300, 400, 3)
+        assert Image.MAX_IMAGE_PIXELS == 1000
 
     def test_exif_that_makes_no_sense(self, tmp_path):
         exif = Image.Exif()
