@@ -8,12 +8,12 @@ from course_lib.lab.figures import (
     from_above,
     lens_bend,
     rays,
-    straightened,
 )
+from course_lib.lab.numbers import number, say_pointing
 from course_lib.lab.photographs import Work, calibrate, look
 from course_lib.lab.real_pairs import Checked, honest, measure_real_pairs
 from course_lib.lab.report import show_report, write_report
-from course_lib.lab.results import Result, meeting
+from course_lib.lab.results import Result, meeting, result
 from course_lib.lab.shots import Shot, shot
 from course_lib.lab.supplied import SUPPLIED
 from course_lib.lab.words import say
@@ -35,10 +35,12 @@ __all__ = [
     "look",
     "measure_real_pairs",
     "meeting",
+    "number",
     "rays",
+    "result",
     "say",
+    "say_pointing",
     "shot",
     "show_report",
-    "straightened",
     "write_report",
 ]

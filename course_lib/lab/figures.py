@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from course_lib.drawing import lab as draw
-from course_lib.lab.photographs import Work
+from course_lib.lab.photographs import Work, marked
 from course_lib.lab.results import Result, rays_angle_deg
 from course_lib.lab.shots import Shot
+from course_lib.lab.words import say
 from course_lib.measuring import point_in_space, point_on_plane
-from course_lib.remapping import undistort_picture
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,16 +23,8 @@ MARGIN = 60.0  # mm around the target in the view from above
 
 def contact_sheet(work: Work) -> Figure:
     """Show all photographs, and which of them can be used."""
-    pictures: list[NDArray[np.uint8] | None] = []
-    for photo in work.photos:
-        if photo.thumbnail is None or photo.header is None:
-            pictures.append(None)
-            continue
-        found = photo.detection.points if photo.detection else np.empty((0, 2))
-        scale = photo.header.size[0] / photo.thumbnail.shape[1]
-        pictures.append(draw.thumbnail(photo.thumbnail, found / scale))
     names, used = [p.name for p in work.photos], [p.used for p in work.photos]
-    return draw.contact_sheet(pictures, names, used)
+    return draw.contact_sheet([marked(photo) for photo in work.photos], names, used)
 
 
 def coverage(work: Work) -> Figure:
@@ -95,22 +87,20 @@ def rays(work: Work, shots: Sequence[Shot], pointed: Sequence[ArrayLike]) -> Fig
     return draw.rays_from_above(work.target.points(), [v.centre for v in views], ends, angle)
 
 
-def straightened(work: Work, shot: Shot) -> NDArray[np.uint8]:
-    """Return a photograph without the bend of the lens."""
-    straight = undistort_picture(shot.photograph, work.camera.K, work.camera.coefficients)
-    return np.asarray(straight, np.uint8)
-
-
 def contributions(results: Sequence[Result]) -> Figure:
     """Show what each length is uncertain by."""
     return draw.contributions({r.name: r.length.parts for r in results})
 
 
-def comparison(results: Sequence[Result]) -> Figure:
-    """Show how camera and ruler agree."""
+def comparison(results: Sequence[Result]) -> Figure | None:
+    """Show how camera and ruler agree, where there is a ruler's value."""
+    compared = [r for r in results if r.ruler is not None]
+    if not compared:
+        say("There is no ruler's value to compare with.")
+        return None
     return draw.ruler_and_camera(
-        [r.name for r in results],
-        [r.difference for r in results],
-        [r.length.plus_minus for r in results],
-        [r.ruler_pm for r in results],
+        [r.name for r in compared],
+        [r.difference for r in compared],
+        [r.length.plus_minus for r in compared],
+        [r.ruler[1] for r in compared if r.ruler is not None],
     )

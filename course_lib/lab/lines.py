@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from datetime import date
 
 import numpy as np
 
@@ -13,11 +14,35 @@ from course_lib.lab.photographs import Work
 from course_lib.lab.results import Result
 
 REASONS = 8  # photographs whose verdict is written
+LONGEST = 80  # characters of a name
 
 
 def report_lines(work: Work, results: Sequence[Result], pointing: float, scale: float) -> list[str]:
     """Return all that is said before the lengths; arguments are those of `write_report`."""
     return [*_camera(work), _assumed(work, results, pointing, scale), *_set_aside(work)]
+
+
+def who_and_when(work: Work, name: str, today: date) -> list[str]:
+    """Return who measured, if that is told, and when was photographed and written.
+
+    Parameters
+    ----------
+    work : Work
+        With its camera.
+    name : str
+        Of who measured, or nothing.
+    today : date
+        When the report is written.
+    """
+    who = " ".join(str(name or "").split())[:LONGEST]
+    days = sorted({p.header.taken for p in work.photos if p.used and p.header and p.header.taken})
+    when = " to ".join(map(_day, days[:: max(1, len(days) - 1)]))
+    taken = f"photographed on {when} (by the camera's clock), " if when else ""
+    return [*([f"measured by {who}"] if who else []), f"{taken}written on {_day(today)}"]
+
+
+def _day(day: date) -> str:
+    return f"{day.day} {day:%B %Y}"
 
 
 def sign(work: Work, photo: Photo) -> str:

@@ -6,18 +6,22 @@ photographs take the place of those that are missing.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from course_lib.boards import Board
 from course_lib.calibrating.judgement import Judgement, judge
-from course_lib.calibrating.looking import Photo, look_at_photos
+from course_lib.calibrating.looking import Photo, check_board, look_at_photos
 from course_lib.calibrating.pictures import find_photos, left_out
 from course_lib.calibrating.solving import Solved, solve
 from course_lib.calibration import Calibration, CameraModel
 from course_lib.checks import DegenerateConfigurationError
+from course_lib.drawing.lab.sheets import SMALL, thumbnail
 from course_lib.lab.supplied import SUPPLIED, supplied_photographs
 from course_lib.lab.words import in_notebook, say, sentence
 
@@ -110,7 +114,8 @@ def _supplied(names: tuple[str, ...], instead: str = "") -> Work:
     """Return the supplied photographs; those to measure in stand in for the reader's, in order."""
     if instead:
         say(f"{instead} The supplied photographs take their place.\n")
-    photos = _looked_at(supplied_photographs(), SUPPLIED.target)
+    tell = _nothing if instead else say  # what helps is why they are here
+    photos = _looked_at(supplied_photographs(), SUPPLIED.target, tell)
     known = {photo.name for photo in photos}
     stand_ins = dict(zip(names, SUPPLIED.measuring, strict=False))
     if not instead and known.issuperset(names):
@@ -139,6 +144,7 @@ def _own(folder: Path, target: Board, measuring: tuple[str, ...]) -> Work:
     absent = [name for name in measuring if name not in {photo.name for photo in photos}]
     if absent:
         say(f"There is no {' and no '.join(absent)} among them: is the name written right?")
+    check_board(photos, target)
     count = len(_for_the_camera(work))
     if count < FEWEST:
         kept = sum(photo.used for photo in photos) - count
@@ -150,19 +156,47 @@ def _own(folder: Path, target: Board, measuring: tuple[str, ...]) -> Work:
     return work
 
 
-def _looked_at(paths: Sequence[Path], target: Board) -> tuple[Photo, ...]:
+def marked(photo: Photo, width: int = SMALL) -> NDArray[np.uint8] | None:
+    """Return a photograph made small, with the corners that count; None if it is none.
+
+    Parameters
+    ----------
+    photo : Photo
+        As of `look_at_photos`.
+    width : int
+        Of the result, px.
+
+    Returns
+    -------
+    ndarray, shape (height, width, 3), uint8, optional
+        RGB.
+    """
+    if photo.thumbnail is None or photo.header is None:
+        return None
+    found = photo.detection.points if photo.detection and photo.used else np.empty((0, 2))
+    scale = photo.header.size[0] / photo.thumbnail.shape[1]
+    return thumbnail(photo.thumbnail, (found + 0.5) / scale - 0.5, width)
+
+
+def _nothing(line: str) -> None:
+    """Say nothing."""
+
+
+def _looked_at(
+    paths: Sequence[Path], target: Board, tell: Callable[[str], None] = say
+) -> tuple[Photo, ...]:
     """Look at photographs, or say again what was seen, if files and target are the same."""
     files = [(path, path.stat().st_mtime_ns, path.stat().st_size) for path in paths]
     if LAST.get("key") == (target, files):
-        say("\n".join(LAST["lines"]))
+        tell("\n".join(LAST["lines"]))
         return tuple(LAST["photos"])
     lines: list[str] = []
 
-    def tell(line: str) -> None:
+    def heard(line: str) -> None:
         lines.append(line)
-        say(line)
+        tell(line)
 
-    photos = tuple(look_at_photos(paths, target, tell))
+    photos = tuple(look_at_photos(paths, target, heard))
     LAST.update(key=(target, files), lines=lines, photos=photos)
     return photos
 

@@ -1,7 +1,7 @@
 """The lab report as one file that is handed in beside the notebook, and shown where it is read.
 
 It holds numbers, small copies of the photographs, and one picture of all. The copies are drawn
-anew, so nothing of what a phone writes into a photograph (place, time, owner) is in them.
+anew: of what a phone writes into a photograph, the day is told, and neither place nor owner.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import io
 import json
 import re
 from collections.abc import Sequence
+from datetime import datetime
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -20,9 +21,9 @@ from numpy.typing import NDArray
 
 from course_lib.display import described_picture, show_block
 from course_lib.drawing.lab.page import Length, report_page
-from course_lib.drawing.lab.sheets import short_name, thumbnail
-from course_lib.lab.lines import report_lines, sign
-from course_lib.lab.photographs import Work
+from course_lib.drawing.lab.sheets import short_name
+from course_lib.lab.lines import report_lines, sign, who_and_when
+from course_lib.lab.photographs import Work, marked
 from course_lib.lab.results import Result
 from course_lib.lab.words import say
 from course_lib.page import html_page
@@ -41,6 +42,7 @@ def write_report(
     *,
     pointing: float,
     scale: float,
+    name: str = "",
 ) -> Path:
     """Write the lab report beside the notebook, unless that would replace one on other photographs.
 
@@ -55,32 +57,39 @@ def write_report(
     pointing, scale : float
         What was assumed: standard deviation of a coordinate pointed at, px, and the relative one
         of the target's lengths.
+    name : str
+        Of who measured; none is written unless given.
 
     Returns
     -------
     Path
-        The file, a page that opens anywhere.
+        The file, a page that opens anywhere; if it cannot be written, a sentence says so.
 
     Raises
     ------
     ValueError
         If there is no camera yet.
-    OSError
-        If the file cannot be written.
     """
     path = Path(folder, FILE)
     if why := _must_stay(path, work):
         say(f"{FILE} stays as it is: {why}. To write another one, move it away.")
         return path
     title = "Lab report" if work.own else "Lab report, on the supplied photographs"
+    today = datetime.now().astimezone().date()
     lines = report_lines(work, results, pointing, scale)
+    lines = [*who_and_when(work, name, today), *lines]
     lengths = [_length(result, pointing) for result in results]
     picture = _png(report_page(title, _thumbnails(work), lines, lengths))
     said = "\n".join((title, *lines, *(length.text for length in lengths)))
     numbers = {"assumed": {"pointing": pointing, "scale": scale}, **_numbers(work, results)}
-    path.write_text(_page(title, picture, said, numbers), encoding="utf-8")
+    numbers |= {"name": str(name or ""), "written": today.isoformat()}
+    try:
+        path.write_text(_page(title, picture, said, numbers), encoding="utf-8")
+    except OSError as error:
+        say(f"{path} cannot be written ({error.strerror}): is there such a folder, and room in it?")
+        return path
     if work.instead:
-        say(f"{work.instead} So this report is on the supplied photographs.")
+        say("This report is on the supplied photographs: the cell with `look` says why.")
     say(f"Wrote {path} ({path.stat().st_size / 1e6:.1f} MB): hand it in with the notebook.")
     return path
 
@@ -155,16 +164,13 @@ def _bare_shell() -> Any:
 
 
 def _thumbnails(work: Work) -> list[tuple[str, NDArray[np.uint8]]]:
-    """Return small photographs and what is written above them; corners only where they count."""
-    pictures = []
-    for photo in work.photos:
-        if photo.thumbnail is None or photo.header is None:
-            continue
-        scale = photo.header.size[0] / photo.thumbnail.shape[1]
-        found = photo.detection.points if photo.detection and photo.used else np.empty((0, 2))
-        caption = f"{sign(work, photo)} {short_name(photo.name)}"
-        pictures.append((caption, thumbnail(photo.thumbnail, found / scale, 160)))
-    return pictures
+    """Return small photographs and what is written above them."""
+    small = [(photo, marked(photo, 160)) for photo in work.photos]
+    return [
+        (f"{sign(work, photo)} {short_name(photo.name)}", picture)
+        for photo, picture in small
+        if picture is not None
+    ]
 
 
 def _length(result: Result, pointing: float) -> Length:
@@ -207,8 +213,8 @@ def _numbers(work: Work, results: Sequence[Result]) -> dict[str, Any]:
                 "value": r.length.value,
                 "plus_minus": r.length.plus_minus,
                 "parts": r.length.parts,
-                "ruler": r.ruler,
-                "ruler_pm": r.ruler_pm,
+                "ruler": r.ruler[0] if r.ruler else None,
+                "ruler_pm": r.ruler[1] if r.ruler else None,
                 "ends": [ends.tolist() for _, ends in r.pointed],
             }
             for r in results

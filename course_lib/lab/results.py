@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from course_lib.lab.numbers import other_unit, read_ruler
 from course_lib.lab.shots import Shot
+from course_lib.lab.words import say
 from course_lib.measuring import Measured, point_in_space, rays_miss
 
 #: Rays that miss by so many times what was pointed with do not belong together: by chance, one
@@ -28,7 +30,7 @@ class Result:
         What was measured.
     length : Measured
         By the camera.
-    ruler, ruler_pm : float
+    ruler : tuple of float, optional
         By a ruler, and half the width of its interval of 95 %, mm.
     pointed : tuple of (Shot, ndarray)
         Photographs, and where both ends are in each, shape (2, 2), px.
@@ -36,14 +38,14 @@ class Result:
 
     name: str
     length: Measured
-    ruler: float
-    ruler_pm: float
+    ruler: tuple[float, float] | None
     pointed: tuple[tuple[Shot, NDArray[np.float64]], ...]
 
     @property
     def difference(self) -> float:
-        """Camera minus ruler, mm."""
-        return self.length.value - self.ruler
+        """Camera minus ruler, mm; only with a ruler."""
+        assert self.ruler is not None
+        return self.length.value - self.ruler[0]
 
     @property
     def ratio(self) -> float:
@@ -53,12 +55,15 @@ class Result:
         ----------
         ISO 13528, the E_n number: ``|difference| / √(U₁² + U₂²)`` with intervals of 95 %.
         """
-        return abs(self.difference) / float(np.hypot(self.length.plus_minus, self.ruler_pm))
+        assert self.ruler is not None
+        return abs(self.difference) / float(np.hypot(self.length.plus_minus, self.ruler[1]))
 
     @property
     def said(self) -> str:
         """The result in a line."""
-        by_ruler = f"{self.ruler:g} mm ± {self.ruler_pm:g} mm"
+        if self.ruler is None:
+            return f"{self.name}: {self.length}; not compared with a ruler"
+        by_ruler = f"{self.ruler[0]:g} mm ± {self.ruler[1]:g} mm"
         verdict = "they agree" if self.ratio < 1 else "they do not agree"
         apart = f"{round(self.difference, 2) + 0.0:+.2f} mm, E = {self.ratio:.2f}: {verdict}"
         return f"{self.name}: {self.length}; ruler {by_ruler}; difference {apart}"
@@ -70,6 +75,34 @@ class Result:
         told = " and ".join(f"{np.linalg.norm(away):.0f}" for away in far)
         said = f"The camera was {told} mm from the middle of the target."
         return said if len(shots) == 1 else f"{said} {meeting(shots, pixels, pointing)}"
+
+
+def result(name: str, length: Measured, ruler: object, *pointed: tuple[Shot, ArrayLike]) -> Result:
+    """Return a length beside what a ruler says of it.
+
+    Parameters
+    ----------
+    name : str
+        What was measured.
+    length : Measured
+        By the camera.
+    ruler : tuple of float
+        By a ruler, and its ± (95 %), mm. If that cannot be meant, a sentence says so, and the
+        length is compared with nothing.
+    *pointed : tuple of (Shot, array_like)
+        Photographs, and where both ends are in each, shape (2, 2), px.
+    """
+    seen = tuple((shot, np.asarray(ends, float)) for shot, ends in pointed)
+    read = read_ruler(ruler)
+    if isinstance(read, str):
+        say(
+            f"{name}: the ruler's value {ruler!r:.40} cannot be used: {read}. Write the length and "
+            "its ± in mm, like (85.5, 0.7)."
+        )
+        return Result(name, length, None, seen)
+    if unit := other_unit(read[0], length.value):
+        say(f"{name}: the camera found {length}. Is {read[0]:g} in {unit}? Write mm.")
+    return Result(name, length, read, seen)
 
 
 def meeting(shots: Sequence[Shot], pointed: Sequence[ArrayLike], pointing: float) -> str:

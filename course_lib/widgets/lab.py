@@ -14,8 +14,8 @@ from course_lib.boards import Board
 from course_lib.calibrating.looking import Photo, look_at_photo
 from course_lib.drawing.explorers.frame import Frame, Readout
 from course_lib.drawing.explorers.pointing import FINE, REACH, Pointed, marks, pointing_frame
-from course_lib.drawing.lab.sheets import thumbnail
 from course_lib.lab.marks import FILE, keep_marks, kept_marks
+from course_lib.lab.photographs import marked
 from course_lib.lab.shots import Shot
 from course_lib.lab.words import say
 from course_lib.measuring import Measured
@@ -87,20 +87,11 @@ def _verdict(target: Board, before: dict[Path, Photo], path: Path) -> Verdict:
     return Verdict(photo.name, photo.verdict, photo.used, marked(photo))
 
 
-def marked(photo: Photo) -> NDArray[np.uint8] | None:
-    """Return a photograph's thumbnail with the points that were found; None if it is none."""
-    if photo.thumbnail is None or photo.header is None:
-        return None
-    found = photo.detection.points if photo.detection else np.empty((0, 2))
-    return thumbnail(photo.thumbnail, found / (photo.header.size[0] / photo.thumbnail.shape[1]))
-
-
 def pointer(
     shot: Shot,
     names: tuple[str, str] = ("end 1", "end 2"),
     start: ArrayLike | None = None,
     measure: Callable[[NDArray[np.float64]], Measured] | None = None,
-    guides: Sequence[ArrayLike] = (),
     folder: str | Path = ".",
 ) -> Pointer:
     """Return a photograph in which two places are pointed at.
@@ -116,8 +107,6 @@ def pointer(
         the first and the last corner of the target: a length that is known, until they are moved.
     measure : callable, optional
         From the pixels of both marks, shape (2, 2), to a length, which is shown.
-    guides : sequence of array_like, shape (N, 2)
-        Lines that are drawn, px: where a mark must be.
     folder : str or Path
         Where a small file keeps the marks: next time they are where they were left.
 
@@ -129,7 +118,7 @@ def pointer(
     height, width = shot.photograph.shape[:2]
     places = np.asarray(shot.corners[[0, -1]] if start is None or shot.own else start, float)
     value = None if measure is None else partial(_readouts, measure)
-    pointed = Pointed(shot.photograph, names, value, tuple(guides))
+    pointed = Pointed(shot.photograph, names, value)
     frame = partial(pointing_frame, pointed, pointed.shown)
     keep = partial(keep_marks, shot, names, folder=Path(folder).resolve())
     controls = _controls(names, places, (width, height))

@@ -24,8 +24,7 @@ def length(ends):
 
 @pytest.fixture
 def explorer(tmp_path):
-    guides = [[(0, 0), (800, 600)]]
-    return pointer(SHOT, ("left end", "right end"), START, length, guides, tmp_path)
+    return pointer(SHOT, ("left end", "right end"), START, length, tmp_path)
 
 
 def test_it_starts_where_it_is_told(explorer):
@@ -99,14 +98,6 @@ def test_the_cross_is_where_the_mark_is(explorer):
     cross = next(np.asarray(x.points) for x in lines if np.isnan(np.asarray(x.points)).any())
     at = np.nanmean(cross, axis=0)
     np.testing.assert_allclose((at + 0.5) / MAGNIFIED - 0.5 - REACH, (2.0, -3.0))
-
-
-def test_a_guide_is_drawn_in_all_pictures(explorer):
-    for picture in explorer.frame_now().pictures:
-        dashed = [np.asarray(line.points) for line in picture.lines if line.dashed]
-        assert len(dashed) == 1
-    (whole,) = (np.asarray(x.points) for x in explorer.frame_now().pictures[0].lines if x.dashed)
-    np.testing.assert_allclose(whole, (np.array([(0, 0), (800, 600)]) + 0.5) * 0.6 - 0.5)
 
 
 def test_marks_on_one_place_say_why_there_is_no_length(explorer):

@@ -104,12 +104,31 @@ def test_too_few_photographs_are_counted(capsys, tmp_path, folder, no_supplied):
     assert "There is no m9.jpg among them" in said
 
 
-def test_another_board_is_said_not_raised(capsys, tmp_path, folder, no_supplied):
-    for name in ("t0.jpg", "t1.jpg", "t2.jpg"):
+@pytest.mark.parametrize("counts", [(8, 6), (9, 5), (10, 6), (9, 7), (10, 7), (8, 5), (6, 8)])
+def test_a_miscounted_board_is_named_once(capsys, tmp_path, folder, no_supplied, counts):
+    """The reader's photographs show 9 × 6 corners; 10 × 7 are its squares."""
+    for name in ("t0.jpg", "t1.jpg", "t2.jpg", "t3.jpg"):
         (tmp_path / name).write_bytes((folder / name).read_bytes())
-    assert not lab.look("mine", tmp_path, Checkerboard(8, 6, 25.0)).own
+    work = lab.look("mine", tmp_path, Checkerboard(*counts, 25.0))
+    assert not work.own
     said = heard(capsys)
-    assert "s it Checkerboard(9, 6)?" in said, said
+    right = "Checkerboard(9, 6)" if counts[0] > counts[1] else "Checkerboard(6, 9)"
+    assert said.count(f"is it {right}?") == 1, said
+    assert said.endswith("The supplied photographs take their place."), said
+
+
+def test_a_board_is_named_though_a_part_of_it_was_taken_for_it(
+    capsys, folder, work, monkeypatch, no_supplied
+):
+    first, *others = (photo for photo in work.photos if photo.used)
+    seen = [replace(photo.detection, seen=(9, 6)) for photo in others]
+    looked = [
+        replace(photo, used=False, problem="wrong size", detection=found)
+        for photo, found in zip(others, seen, strict=True)
+    ]
+    monkeypatch.setattr(photographs, "_looked_at", lambda *_: (first, *looked))
+    assert not lab.look("mine", folder, Checkerboard(8, 6, 25.0)).own
+    assert "not 8 × 6 corners: is it Checkerboard(9, 6)?" in heard(capsys)
 
 
 def test_another_word_means_supplied(capsys, no_supplied):
@@ -136,6 +155,17 @@ def test_a_photograph_that_cannot_be_used_is_replaced(capsys, work):
     assert "There is no such file. m1.jpg is" in heard(capsys)
     lab.shot(work, "M3.JPEG")
     assert "There is no such file. Do you mean m3.jpg?" in heard(capsys)
+
+
+def test_a_photograph_that_is_gone_is_replaced(capsys, work, tmp_path):
+    (lost,) = (photo for photo in work.photos if photo.name == "m2.jpg")
+    gone = replace(lost, path=tmp_path / "m2.jpg")
+    without = replace(work, photos=tuple(gone if p is lost else p for p in work.photos))
+    assert lab.shot(without, "m2.jpg").name in ("m1.jpg", "m3.jpg")
+    assert "m2.jpg cannot be measured in. There is no such file." in heard(capsys)
+    nothing = replace(work, photos=(gone,))
+    with pytest.raises(ValueError, match="run the cell with `look` again"):
+        lab.shot(nothing, "m2.jpg")
 
 
 def test_a_length_in_space_gets_two_different_photographs(capsys, work):

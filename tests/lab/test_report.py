@@ -5,6 +5,7 @@ import builtins
 import re
 import sys
 from dataclasses import replace
+from datetime import date
 from types import SimpleNamespace
 
 import cv2
@@ -14,6 +15,7 @@ import pytest
 from course_lib import lab
 from course_lib.distortion import distort_pixels
 from course_lib.lab import supplied
+from course_lib.lab.lines import who_and_when
 from course_lib.lab.report import FILE, read_report
 from course_lib.measuring import Measured
 from data_generators import desk
@@ -26,14 +28,14 @@ def results(work):
     card = Measured(85.4, {"pointing": 0.3, "pose": 0.1})
     lid = Measured(121.0, {"pointing": 0.2})
     return [
-        lab.Result("card", card, 85.6, 0.5, ((one, ends),)),
-        lab.Result("lid", lid, 120.0, 0.5, ((one, ends), (other, ends))),
+        lab.Result("card", card, (85.6, 0.5), ((one, ends),)),
+        lab.Result("lid", lid, (120.0, 0.5), ((one, ends), (other, ends))),
     ]
 
 
-def write(work, results, folder):
+def write(work, results, folder, **how):
     folder.mkdir(exist_ok=True)
-    return lab.write_report(work, results, folder, pointing=0.6, scale=0.002)
+    return lab.write_report(work, results, folder, pointing=0.6, scale=0.002, **how)
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +86,7 @@ def test_it_says_whose_photographs_they_are(work, results, tmp_path, capsys):
     other = write(replace(work, own=False, instead="There is no folder."), results, tmp_path / "b")
     assert "Lab report, on the supplied photographs" in read_report(other)["words"]
     said = capsys.readouterr().out
-    assert "There is no folder. So this report is on the supplied photographs." in said
+    assert "This report is on the supplied photographs: the cell with `look` says why." in said
 
 
 def test_a_report_on_own_photographs_is_never_replaced(path, work, results, capsys):
@@ -111,6 +113,67 @@ def test_what_was_handed_in_stays(path, work, results, monkeypatch, capsys):
     assert "stays as it is: it was handed in" in capsys.readouterr().out
 
 
+def taken_on(work, *days):
+    """Return work whose photographs, one after the other, are of these days."""
+    photos = [
+        replace(photo, header=photo.header and replace(photo.header, taken=days[k % len(days)]))
+        for k, photo in enumerate(work.photos)
+    ]
+    return replace(work, photos=tuple(photos))
+
+
+class TestWhoAndWhen:
+    TODAY = date(2026, 4, 1)
+
+    def test_the_days_of_the_photographs(self, work):
+        one, other = date(2026, 3, 20), date(2026, 3, 22)
+        lines = who_and_when(taken_on(work, other, one, None), "", self.TODAY)
+        assert lines == [
+            "photographed on 20 March 2026 to 22 March 2026 (by the camera's clock), written on "
+            "1 April 2026"
+        ]
+        lines = who_and_when(taken_on(work, one), "", self.TODAY)
+        assert lines[0].startswith("photographed on 20 March 2026 (by")
+
+    def test_only_photographs_that_are_used_tell_a_day(self, work):
+        days = [date(2026, 3, 20) if p.used else date(1970, 1, 1) for p in work.photos]
+        (line,) = who_and_when(taken_on(work, *days), "", self.TODAY)
+        assert "1970" not in line
+
+    def test_no_day_and_no_name_is_invented(self, work):
+        assert who_and_when(work, "", self.TODAY) == ["written on 1 April 2026"]
+        assert who_and_when(work, None, self.TODAY) == ["written on 1 April 2026"]
+        assert who_and_when(work, " \n ", self.TODAY) == ["written on 1 April 2026"]
+
+    def test_a_name_is_one_short_line(self, work):
+        first, _ = who_and_when(work, "Ada\n  Lovelace", self.TODAY)
+        assert first == "measured by Ada Lovelace"
+        assert len(who_and_when(work, "x" * 1000, self.TODAY)[0]) < 100
+
+    def test_they_are_in_the_file(self, work, results, tmp_path):
+        path = write(work, results, tmp_path, name="<b>Ada</b>")
+        held, page = read_report(path), path.read_text(encoding="utf-8")
+        assert held["words"].splitlines()[1] == "measured by <b>Ada</b>"
+        assert "<b>Ada" not in page
+        assert held["name"] == "<b>Ada</b>"
+        written = date.fromisoformat(held["written"])
+        assert abs((date.today() - written).days) <= 1
+        assert f"written on {written.day} " in held["words"]
+
+
+def test_without_a_ruler_there_is_a_report_all_the_same(work, results, tmp_path):
+    path = write(work, [replace(results[0], ruler=None), results[1]], tmp_path)
+    held = read_report(path)
+    assert [length["ruler"] for length in held["lengths"]] == [None, 120.0]
+    assert "card: 85.4 mm ± 0.6 mm (95 %); not compared with a ruler." in held["words"]
+
+
+def test_where_nothing_can_be_written_a_sentence_says_so(work, results, tmp_path, capsys):
+    (tmp_path / FILE).mkdir()
+    write(work, results[:1], tmp_path)
+    assert "lab_report.html cannot be written" in " ".join(capsys.readouterr().out.split())
+
+
 class TestMeeting:
     """Rays of the box's lid: pointed at exactly, at the wrong end, from one side."""
 
@@ -129,7 +192,7 @@ class TestMeeting:
         assert "far more than the 0.5 px that you point to" in swapped
         assert "far more" in lab.meeting(shots, [ends[0], ends[1] + [0, 6]], 0.5)
         pointed = tuple(zip(shots, ends, strict=True))
-        edge = lab.Result("lid", Measured(120, {"pointing": 0.1}), 120, 0.5, pointed)
+        edge = lab.Result("lid", Measured(120, {"pointing": 0.1}), (120, 0.5), pointed)
         assert "meet at 51°" in edge.taken(0.5)
         assert re.match(r"The camera was \d{3} and \d{3} mm from the middle", edge.taken(0.5))
 

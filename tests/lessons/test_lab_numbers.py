@@ -20,7 +20,13 @@ from course_lib.calibration import calibrate, calibrate_stereo
 from course_lib.distortion import distort_pixels
 from course_lib.exercises import all_exercises
 from course_lib.lab.real_pairs import BOARD, MODEL, NUMBERS, SIZE, corners
-from course_lib.measuring import distance_in_space, distance_on_plane, rays_miss, view_of_target
+from course_lib.measuring import (
+    distance_in_space,
+    distance_on_plane,
+    pointing_sigma,
+    rays_miss,
+    view_of_target,
+)
 from course_lib.measuring.shares import SHARED
 from data_generators import desk
 
@@ -96,7 +102,7 @@ def test_one_mark_after_the_other_is_moved_by_its_sigma(cells):
 
 def test_how_well_one_points(cells):
     TEXT.says("0.43 px: so 0.5 px")
-    assert round(cells["pointing_sigma"](cells["attempts"]), 2) == 0.43
+    assert round(pointing_sigma(cells["attempts"]), 2) == 0.43
 
 
 def test_a_forgotten_height(cells):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from course_lib.drawing.explorers.frame import Frame, Handle, Label, Line, Picture, Readout
 
@@ -40,14 +40,11 @@ class Pointed:
         What the two places are called.
     value : callable, optional
         From the pixels of both, shape (2, 2), to what is measured, as readouts.
-    guides : sequence of array_like, shape (N, 2)
-        Lines on which the places must be, px.
     """
 
     photograph: Pixels
     names: tuple[str, str] = ("end 1", "end 2")
     value: Callable[[Floats], Sequence[Readout]] | None = None
-    guides: tuple[ArrayLike, ...] = ()
 
     @property
     def scale(self) -> float:
@@ -110,7 +107,6 @@ def _whole(pointed: Pointed, shown: Pixels, places: Floats) -> Picture:
     """Return the whole photograph: its marks can be dragged."""
     height, width = shown.shape[:2]
     small = (places + 0.5) / pointed.scale - 0.5
-    guides = [(np.asarray(g, float) + 0.5) / pointed.scale - 0.5 for g in pointed.guides]
     one, other = [f"({u:.1f}, {v:.1f})" for u, v in places.tolist()]
     return Picture(
         "Drag the marks near",
@@ -118,10 +114,7 @@ def _whole(pointed: Pointed, shown: Pixels, places: Floats) -> Picture:
         f"{other} px.",
         (width, height),
         shown,
-        lines=(
-            Line(small, "ray", 2.0),
-            *(Line(guide, "second", 1.5, dashed=True) for guide in guides),
-        ),
+        lines=(Line(small, "ray", 2.0),),
         labels=_names(pointed, small, (width, height)),
         handles=tuple(_handle(i, at, pointed.scale) for i, at in enumerate(small.tolist(), 1)),
     )
@@ -160,7 +153,6 @@ def _close_up(pointed: Pointed, which: int, near: Floats, place: Floats) -> Pict
         (f"du{which + 1}", float(back[0]), 1 / MAGNIFIED, 0.0),
         (f"dv{which + 1}", float(back[1]), 0.0, 1 / MAGNIFIED),
     )
-    guides = [_in_close_up(np.asarray(g, float), near) for g in pointed.guides]
     return Picture(
         f"{_capital(name)}, magnified",
         f"{2 * REACH} × {2 * REACH} px around {name}, magnified {MAGNIFIED:g} times; a cross at "
@@ -168,7 +160,6 @@ def _close_up(pointed: Pointed, which: int, near: Floats, place: Floats) -> Pict
         (CLOSE, CLOSE),
         _magnified(pointed.photograph, near),
         lines=(
-            *(Line(guide, "second", 1.5, dashed=True) for guide in guides),
             Line(at + CROSS, role, 2.0),
             Line([at + 6 * np.sign(grip - at), grip], role, 1.0),
         ),
