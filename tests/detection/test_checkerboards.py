@@ -12,7 +12,6 @@ REAL = {
     "left": ([n for n in data.names("opencv_stereo") if "/left" in n], Checkerboard(9, 6, 30)),
     "right": ([n for n in data.names("opencv_stereo") if "/right" in n], Checkerboard(9, 6, 30)),
     "sony": (data.names("boofcv/Sony_DSC-HX5V_Chess"), Checkerboard(4, 6, 30)),
-    "fisheye": (data.names("boofcv/fisheye_chessboard"), Checkerboard(4, 6, 30)),
 }
 
 
@@ -177,11 +176,6 @@ def test_finds_every_real_board(name):
     found = [detect_board(picture, board) for picture in pictures]
     assert len(found) == 13
     assert all(f.good and len(f.points) == len(board.points()) for f in found)
-
-
-def test_finds_every_board_through_a_fisheye():
-    pictures, board = real_pictures("fisheye")
-    assert sum(detect_board(picture, board).good for picture in pictures) == len(pictures) == 26
 
 
 def test_the_real_left_camera_is_that_of_bouguet():
