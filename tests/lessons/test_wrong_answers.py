@@ -10,18 +10,26 @@ import pytest
 from lesson_text import lesson_text
 
 from course_lib.exercises import all_exercises
-from course_lib.judging import Exercise
+from course_lib.judging import Exercise, ValuesExercise
 
 mpl.use("Agg")  # as a test has no screen
 
 #: Chapters whose cells are tried, and their lessons.
 LESSONS = {
+    "pinhole": "01_pinhole",
     "homogeneous": "02_homogeneous",
+    "lenses": "03_lenses",
+    "sensor": "04_sensor",
     "triangulation": "09_triangulation",
     "bundle": "10_bundle",
     "planning": "11_planning",
 }
-FUNCTIONS = [e for name in LESSONS for e in all_exercises(name) if isinstance(e, Exercise)]
+FUNCTIONS = [
+    e
+    for name in LESSONS
+    for e in all_exercises(name)
+    if isinstance(e, Exercise) and not isinstance(e, ValuesExercise)
+]
 
 
 def cells(chapter):
@@ -33,8 +41,8 @@ def cells(chapter):
 def student(exercise, function):
     """Return a function under the exercise's name, as a notebook has it."""
 
-    def answer(*inputs):
-        return function(*inputs)
+    def answer(*inputs, **named):
+        return function(*inputs, **named)
 
     answer.__name__ = exercise.function_name
     return answer
@@ -56,7 +64,7 @@ def filled(exercise, number):
     def fill(value):
         return tuple(map(fill, value)) if isinstance(value, tuple) else np.full_like(value, number)
 
-    return lambda *inputs: fill(exercise.reference(*inputs))
+    return lambda *inputs, **named: fill(exercise.reference(*inputs, **named))
 
 
 @cache

@@ -181,7 +181,7 @@ def dolly_strip(
     """
     zoomed = dolly_zoom(f, Z[0], Z)
     drawn = same_shape(yours, zoomed)
-    usable = drawn is not None and bool((np.isfinite(drawn) & (drawn > 1)).all())
+    usable = drawn is not None and bool(((drawn > 1) & (drawn < 1e6)).all())  # mm; not NaN
     second = drawn if usable and drawn is not None else [None] * len(Z)
     fig, axes = panels(2, len(Z), (FULL_WIDTH, 4.2))
     for row, lengths in zip(axes, ([f] * len(Z), second), strict=True):
