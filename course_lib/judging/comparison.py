@@ -27,6 +27,8 @@ Comparison = Callable[[Any, Any], Mismatch | None]
 
 #: What an array holds that is no number: one entry, and several.
 KINDS = {"b": ("True or False", "truth values of "), "U": ("a text", "texts of ")}
+#: Said where one of so many values is wrong.
+OTHERS = {1: "", 2: "The other one is right."}
 
 
 def describe(value: Any) -> str:
@@ -162,9 +164,12 @@ class Close:
         return self._first_wrong(zip(names, got, expected, strict=True))
 
     def _first_wrong(self, pairs: Iterable[tuple[str, Any, Any]]) -> Mismatch | None:
-        for name, got, expected in pairs:
+        every = list(pairs)
+        for i, (name, got, expected) in enumerate(every):
             if miss := self(got, expected):
-                return Mismatch(miss.kind, f"{name}: {miss.message}")
+                alone = all(self(g, e) is None for _, g, e in every[i + 1 :])
+                others = OTHERS.get(len(every), "The others are right.") if alone else ""
+                return Mismatch(miss.kind, f"{name}: {miss.message} {others}".rstrip())
         return None
 
 

@@ -5,7 +5,9 @@ import pytest
 
 from course_lib import planning
 from course_lib.camera import Camera
-from course_lib.exercises.planning import inputs, plain
+from course_lib.exercises.planning import APERTURE_WINDOW, inputs, plain
+from course_lib.exercises.planning.aperture_misconceptions import window as right_window
+from course_lib.judging import answer, judge, pose
 from course_lib.transforms import rotation_from_vector
 
 
@@ -70,6 +72,32 @@ def test_flight_is_that_of_the_library(rng, draw, name):
     posed = getattr(drawn := draw(rng), "inputs", drawn)
     ours = getattr(planning, name)(**posed)
     np.testing.assert_allclose(getattr(plain, name)(**posed), ours)
+
+
+@pytest.mark.parametrize("factors", [(1.37, 1), (1, 0.61)])
+@pytest.mark.parametrize("form", [tuple, list, np.array])
+def test_of_two_f_numbers_the_right_one_is_named(factors, form):
+    """Whatever the slip in the other one is; where both are wrong, none is called right."""
+
+    def window(f_mm, near, far, spot_um, wavelength_um):
+        least, most = right_window(f_mm, near, far, spot_um, wavelength_um)
+        return form([factors[0] * least, factors[1] * most])
+
+    cases = pose(APERTURE_WINDOW, 0)
+    verdict = judge(APERTURE_WINDOW, cases, answer(APERTURE_WINDOW, window, cases))
+    right = "The least is right" if factors[0] == 1 else "The most is right"
+    assert [hint.partition(".")[0] for hint in verdict.hints] == [right]
+    assert all("The other one is right." in part.feedback.message for part in verdict.parts)
+    assert verdict.points == 0
+
+
+def test_of_two_wrong_f_numbers_none_is_called_right():
+    def window(f_mm, near, far, spot_um, wavelength_um):
+        least, most = right_window(f_mm, near, far, spot_um, wavelength_um)
+        return 1.37 * least, 0.61 * most
+
+    cases = pose(APERTURE_WINDOW, 0)
+    assert judge(APERTURE_WINDOW, cases, answer(APERTURE_WINDOW, window, cases)).hints == ()
 
 
 def test_published_overlap_for_three_pictures():

@@ -69,6 +69,8 @@ def test_right_answers_agree(compare, got, expected):
         (Close(), {"a": 1}, {"b": 1}, "type", "keys b"),
         (Close(), np.array(1.0), (1, 2), "type", "2 values"),
         (Close(), (1, 3), (1, 2), "values", "Value 2 of 2: "),
+        (Close(), (1, 3), (2, 3), "values", "right one. The other one is right."),
+        (Close(), (9, 3, 4), (2, 3, 4), "values", "right one. The others are right."),
         (Close(), {"a": 1, "b": (1, 3)}, {"a": 1, "b": (1, 2)}, "values", "`b`: Value 2 of 2: "),
         (Close(), (1, -70), (1, np.inf), "values", "The value should be infinite"),
         (Close(), np.ones(2), np.array([1, np.inf]), "values", "Some values should be infinite"),
@@ -109,6 +111,12 @@ def test_wrong_answers_are_told_what_differs(compare, got, expected, kind, words
     assert mismatch is not None
     assert mismatch.kind == kind
     assert words in mismatch.message
+
+
+def test_values_are_called_right_only_where_all_others_are():
+    for got in ((1, 9, 9), (9, 9, 3), (9, 2, 9)):
+        assert "right." not in Close()(got, (1, 2, 3)).message.partition("not the right one.")[2]
+    assert "right." not in Close()({"a": 2}, {"a": 1}).message.partition("not the right one.")[2]
 
 
 def test_picture_with_its_sides_exchanged_is_not_told_of_points():

@@ -2,9 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
 from course_lib.exercises.planning import aperture_misconceptions as wrong
 from course_lib.exercises.planning import inputs, plain
-from course_lib.judging import Exercise, Misconception, Part
+from course_lib.judging import Case, Close, Exercise, Misconception, Part
+
+LEAST, MOST = 0, 1
+
+
+def only_right(place: int) -> Callable[[Case, Any], bool]:
+    """Return what tells whether, of a wrong answer, this one of both f-numbers is right."""
+
+    def tell(case: Case, got: Any) -> bool:
+        two = got.tolist() if isinstance(got, np.ndarray) else got
+        if not isinstance(two, tuple | list) or len(two) != 2:
+            return False
+        return Close()(two[place], wrong.window(**case.inputs)[place]) is None
+
+    return tell
+
 
 APERTURE_WINDOW = Exercise(
     "planning",
@@ -130,6 +150,16 @@ APERTURE_WINDOW = Exercise(
             wrong.with_the_focus,
             "Which two numbers are asked for: the ends of what?",
             also=[wrong.least_only, wrong.yes_or_no, wrong.width_of_the_window],
+        ),
+        Misconception(
+            wrong.factor_of_the_disk_forgotten,
+            "The least is right. Which disk does diffraction draw, and how large may it be?",
+            explains=only_right(LEAST),
+        ),
+        Misconception(
+            wrong.far_end_forgotten_below,
+            "The most is right. Has every length of the other formula its place in yours?",
+            explains=only_right(MOST),
         ),
     ],
 )

@@ -195,6 +195,17 @@ def half_the_spot(f_mm, near, far, spot_um, wavelength_um):
     return 2 * least, most / 2
 
 
+def far_end_forgotten_below(f_mm, near, far, spot_um, wavelength_um):
+    f, c, _ = in_metres(f_mm, spot_um, wavelength_um)
+    s, most = between(near, far), window(f_mm, near, far, spot_um, wavelength_um)[1]
+    return f**2 * (far - s) / (c * (s - f)), most
+
+
+def factor_of_the_disk_forgotten(f_mm, near, far, spot_um, wavelength_um):
+    least, most = window(f_mm, near, far, spot_um, wavelength_um)
+    return least, 2.44 * most
+
+
 def upside_down(f_mm, near, far, spot_um, wavelength_um):
     least, most = window(f_mm, near, far, spot_um, wavelength_um)
     return 1 / least, most
