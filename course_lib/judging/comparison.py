@@ -26,7 +26,11 @@ class Mismatch:
 Comparison = Callable[[Any, Any], Mismatch | None]
 
 #: What an array holds that is no number: one entry, and several.
-KINDS = {"b": ("True or False", "truth values of "), "U": ("a text", "texts of ")}
+KINDS = {
+    "b": ("True or False", "truth values of "),
+    "c": ("a complex number", "complex numbers of "),
+    "U": ("a text", "texts of "),
+}
 #: Said where one of so many values is wrong.
 OTHERS = {1: "", 2: "The other one is right."}
 

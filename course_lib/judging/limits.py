@@ -158,10 +158,8 @@ def plain(value: Any, limit: int, depth: int = 4) -> Any:
     TooLargeError
         For a result over the limit.
     """
-    if isinstance(value, np.ndarray):
-        return _plain_array(value, limit)
-    if isinstance(value, np.generic):
-        return _plain_array(np.asarray(value), limit).item()
+    if isinstance(value, np.ndarray | np.generic):
+        return _plain_array(np.asarray(value), limit)
     if isinstance(value, str | tuple | list | dict) and len(value) > limit:
         raise TooLargeError(f"{len(value)} items")
     if value is None or type(value) in (bool, int, float, complex, str):
@@ -177,9 +175,11 @@ def plain(value: Any, limit: int, depth: int = 4) -> Any:
 def _plain_array(value: np.ndarray[Any, Any], limit: int) -> Any:
     if value.nbytes > limit or value.size > limit:
         raise TooLargeError(f"{value.nbytes} bytes")
-    array = np.array(np.asarray(value), subok=False)
+    array = np.array(value, subok=False)
     if array.dtype.kind == "O":
         return plain(array.tolist(), limit)
     if array.dtype.kind not in "biufcU":
         raise NotPlainError(f"array of {array.dtype}")
-    return array
+    if array.dtype == np.longdouble:
+        array = array.astype(float)
+    return array if array.ndim else array.item()

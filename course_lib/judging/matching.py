@@ -6,7 +6,6 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import takewhile
 from typing import Any
 
 import numpy as np
@@ -36,21 +35,16 @@ def find_misconceptions(
         Empty where no misconception gives the same answers.
     """
     ways = list(_ways(own, answers, wrong))
-    parts, cases = own.exercise.parts, own.cases
-    by_part = [[i for i, case in enumerate(cases) if case.part == part] for part in parts]
-
-    def count(agrees: Callable[[int], bool]) -> int:
-        """Count answers that a way gives too; a part ends at a wrong one that it does not give."""
-        kept = (takewhile(lambda i: agrees(i) or i not in wrong, part) for part in by_part)
-        return sum(agrees(i) for part in kept for i in part)
+    cases = own.cases
 
     def explaining(some: Sequence[int]) -> list[Misconception]:
         """Of those that agree with some answers, return the one that agrees with most others."""
         fitting = [way for way in ways if some and all(map(way.agrees, some))]
-        return [max(fitting, key=lambda way: count(way.agrees)).misconception] if fitting else []
+        agreeing = [sum(map(way.agrees, range(len(cases)))) for way in fitting]
+        return [fitting[int(np.argmax(agreeing))].misconception] if fitting else []
 
-    wrong_by_part = [[i for i in part if i in wrong] for part in by_part]
-    found = explaining(wrong) or [m for some in wrong_by_part for m in explaining(some)]
+    by_part = [[i for i in wrong if cases[i].part == part] for part in own.exercise.parts]
+    found = explaining(wrong) or [m for some in by_part for m in explaining(some)]
     return list({m.name: m for m in found}.values())
 
 
@@ -89,7 +83,7 @@ def _ways(own: OwnAnswers, answers: Sequence[Answer], wrong: Sequence[int]) -> I
 
     def explained(explains: Callable[[Case, Any], bool], i: int) -> bool:
         value = i in wrong and answers[i].status == "value"
-        return value and _explains(explains, own.cases[i], answers[i].value)
+        return value and _holds(lambda: explains(own.cases[i], answers[i].value))
 
     def given_too(compare: Comparison, variant: Callable[..., Any], i: int) -> bool:
         return _alike(compare, answers[i], own.of(variant, i))
@@ -147,14 +141,12 @@ def _failure(answer: Answer) -> tuple[str, str, str]:
 
 
 def _agrees(compare: Comparison, given: Answer, outcome: Answer) -> bool:
-    try:
-        return compare(given.value, outcome.value) is None
-    except (TypeError, ValueError):  # what a wrong variant gives need not be comparable in this way
-        return False
+    return _holds(lambda: compare(given.value, outcome.value) is None)
 
 
-def _explains(explains: Callable[[Case, Any], bool], case: Case, value: Any) -> bool:
+def _holds(condition: Callable[[], bool]) -> bool:
+    """Whether a condition holds, of answers that may be anything."""
     try:
-        return explains(case, value)
-    except Exception:  # the answer may be anything
+        return condition()
+    except Exception:  # it cannot even be asked of these
         return False

@@ -17,6 +17,8 @@ Kind = Literal[
     "right", "not attempted", "raised", "time limit", "type", "shape", "values", "ready-made"
 ]
 
+COARSE = " Its numbers are kept with 7 digits (float32); float64 has 16."
+
 
 @dataclass(frozen=True)
 class Feedback:
@@ -72,6 +74,7 @@ class Verdict:
         return any(part.feedback.kind != "not attempted" for part in self.parts)
 
 
+@np.errstate(all="ignore")  # an answer may hold any numbers
 def judge(
     exercise: Exercise,
     cases: Sequence[Case],
@@ -152,7 +155,15 @@ def _judge_case(own: OwnAnswers, index: int, given: Answer, reveal: bool) -> Fee
         return Feedback("right", "Right.", case, given.value, expected)
     shown = expected if exercise.shows_expected else None
     free = getattr(exercise.compare, "scale_free", False)
-    return Feedback(mismatch.kind, mismatch.message, case, given.value, shown, free)
+    message = mismatch.message + COARSE * (mismatch.kind == "values" and _is_coarse(given.value))
+    return Feedback(mismatch.kind, message, case, given.value, shown, free)
+
+
+def _is_coarse(value: Any) -> bool:
+    """Whether there are arrays in an answer whose numbers have fewer digits than usual."""
+    if isinstance(value, tuple | list | dict):
+        return any(map(_is_coarse, value.values() if isinstance(value, dict) else value))
+    return isinstance(value, np.ndarray) and value.dtype.kind == "f" and value.itemsize < 8
 
 
 def _judge_refusal(case: Case, given: Answer, truth: Raises, reveal: bool) -> Feedback:

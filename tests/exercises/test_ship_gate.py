@@ -23,6 +23,8 @@ from course_lib.judging import (
     judge,
     pose,
 )
+from course_lib.judging.html import to_html
+from course_lib.judging.text import to_text
 
 SEEDS = range(50)
 EXERCISES = [e for e in all_exercises() if isinstance(e, Exercise)]
@@ -154,6 +156,25 @@ def test_lazy_answers_earn_nothing(exercise, kind):
         values = [lazy(case, value) for case, value in zip(own.cases, right, strict=True)]
         answers = [Answer("value", value) for value in values]
         assert judged(exercise, answers, seed).points == 0
+
+
+#: What nobody expects to come back.
+ODD = [
+    "three", {"a": 1.0}, {}, {1: 2, 3: "x"}, [], [[1.0], [1.0, 2.0]], ((1, (2, "x")), None), 2j,
+    np.array(["a", "b"]), np.array([1 + 2j, 3]), np.array([True, False]), 10**400, [10**400, 1],
+    np.zeros((3, 0)), np.zeros((0, 2)), np.full((3, 3), 1e300), np.full((3, 4), np.inf),
+    (np.eye(3), None), (np.eye(3), np.eye(3), np.zeros((0, 3))), (1.0, "x", None, [2]),
+]  # fmt: skip
+
+
+@each_exercise
+def test_whatever_comes_back_is_judged(exercise):
+    count = len(posed(exercise.name, 0).cases)
+    for odd in ODD:
+        verdict = judged(exercise, [Answer("value", odd)] * count, 0)
+        assert verdict.points == 0, odd
+        assert to_text(verdict)
+        assert to_html(verdict)
 
 
 @each_exercise

@@ -45,7 +45,9 @@ def test_value_comes_back_as_plain_data():
     given = first(lambda numbers: (2 * numbers).view(Tagged))
     assert given.status == "value"
     assert type(given.value) is np.ndarray
-    assert type(first(lambda numbers: np.float64(2)).value) is float
+    for number in (np.float64(2), np.array(2.0), np.longdouble(2)):
+        assert type(first(lambda numbers, n=number: n).value) is float
+    assert first(lambda numbers: np.ones(2, np.longdouble)).value.dtype == float
     assert first(lambda numbers: {"a": (1, [2.5, "x", None, True])}).value == {
         "a": (1, [2.5, "x", None, True])
     }

@@ -1,6 +1,7 @@
 """One mistake in several forms gets one hint, and chance does not hide a huge one."""
 
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -113,6 +114,74 @@ def test_a_form_that_agrees_with_more_parts_does_not_hide_the_one_that_fits():
     assert judge(two, cases, answer(two, nearly_mended, cases)).hints == ("Grow or shrink?",)
 
 
+def with_factors(**factors):
+    """Return parts in which the factor is known."""
+    return {name: lambda rng, f=f: {**drawn(rng), "factor": f} for name, f in factors.items()}
+
+
+def test_one_mistake_that_explains_all_goes_before_one_for_each_part():
+    """Although the other one agrees with more answers: with those that are right."""
+
+    def above_9(values, factor):
+        return values / factor if factor > 9 else values * factor
+
+    def above_9_and_otherwise_above_80(values, factor):
+        return above_9(values, factor) + 5 * (factor > 80)
+
+    four = Exercise(
+        "demo",
+        scaled,
+        parts=with_factors(small=2.0, middle=3.0, large=20.0, huge=90.0),
+        misconceptions=[
+            Misconception(above_9_and_otherwise_above_80, "Of some?"),
+            Misconception(divided, "Of all?"),
+        ],
+    )
+    cases = pose(four, 3)
+    assert judge(four, cases, answer(four, above_9, cases)).hints == ("Of all?",)
+
+
+def test_a_mistake_in_two_parts_is_named_once():
+    three = replace(EXERCISE, parts=with_factors(one=2.0, two=3.0, three=4.0))
+    cases = pose(three, 3)
+
+    def another_in_the_last(values, factor):
+        return values / factor if factor < 4 else values - factor
+
+    found = judge(three, cases, answer(three, another_in_the_last, cases))
+    assert found.hints == ("Grow or shrink?",)
+
+
+def test_what_explains_wrong_answers_says_nothing_of_right_ones():
+    def small_ones_only(values, factor):
+        return values / factor if factor < 3 else values * factor
+
+    two = replace(
+        EXERCISE,
+        parts={"plain": lambda rng: {**drawn(rng), "factor": float(rng.choice([2, 9]))}},
+        misconceptions=[
+            Misconception(huge, "What is it?", explains=lambda case, value: True),
+            Misconception(small_ones_only, "Only small ones?"),
+        ],
+    )
+    cases = next(c for c in (pose(two, seed) for seed in range(9)) if len({*factors(c)}) == 2)
+    found = judge(two, cases, answer(two, small_ones_only, cases))
+    assert found.hints == ("Only small ones?",)
+
+
+def factors(cases):
+    return [case.inputs["factor"] for case in cases]
+
+
+@pytest.mark.parametrize("odd", ["a text", {"a": 1}, [[1.0], [1.0, 2.0]], None, 10**400])
+def test_what_cannot_be_explained_is_judged_all_the_same(odd):
+    strict = Misconception(huge, "So large?", explains=lambda case, value: value / 1.0 > 1e5)
+    exercise = replace(EXERCISE, misconceptions=[strict])
+    cases = pose(exercise, 3)
+    found = judge(exercise, cases, [Answer("value", odd)] * len(cases))
+    assert (found.points, found.hints) == (0, ())
+
+
 def test_own_answers_are_worked_out_once_and_for_these_cases_only():
     calls = {"right": [], "wrong": []}
 
@@ -130,11 +199,12 @@ def test_own_answers_are_worked_out_once_and_for_these_cases_only():
     cases = pose(exercise, 3)
     own, answers = OwnAnswers(exercise, cases), answer(exercise, divided, cases)
     verdicts = [judge(exercise, cases, answers, own=own) for _ in range(3)]
-    asked = [case.inputs["factor"] for case in cases]
-    assert calls == {"right": asked, "wrong": asked}
+    assert calls == {"right": factors(cases), "wrong": factors(cases)}
     assert [verdict.hints for verdict in verdicts] == [("Smaller?",)] * 3
-    with pytest.raises(ValueError, match="other cases"):
-        judge(exercise, pose(exercise, 3), answers, own=own)
+    assert judge(exercise, cases, answer(exercise, scaled, cases), own=own).points == 4
+    for other, posed in ((exercise, pose(exercise, 3)), (replace(exercise), cases)):
+        with pytest.raises(ValueError, match="other cases"):
+            judge(other, posed, answers, own=own)
 
 
 def test_trying_mistakes_leaves_the_inputs_as_they_were():

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from course_lib.judging import (
+    Close,
     Exercise,
+    Known,
     Misconception,
     Part,
     ValuesExercise,
@@ -55,6 +57,31 @@ EXERCISE = Exercise(
 def verdict(function, reveal=True, seed=3):
     cases = pose(EXERCISE, seed)
     return judge(EXERCISE, cases, answer(EXERCISE, function, cases), reveal=reveal)
+
+
+def test_what_is_known_by_construction_judges_the_reference_too():
+    known = replace(
+        EXERCISE,
+        parts={"known": lambda rng: Known({"values": np.ones(2), "factor": 3.0}, np.full(2, 3.1))},
+    )
+    cases = pose(known, 3)
+    assert judge(known, cases, answer(known, lambda values, factor: 3.1 * values, cases)).points
+    assert not judge(known, cases, answer(known, lambda values, factor: 3 * values, cases)).points
+
+
+def test_numbers_with_few_digits_are_told():
+    exact = replace(EXERCISE, compare=Close(rtol=1e-12))
+
+    def rounded(values, factor):
+        return (values * factor).astype(np.float32)
+
+    def off(values, factor):
+        return values * factor + 1
+
+    cases = pose(exact, 3)
+    for function, told in ((rounded, True), (off, False)):
+        found = judge(exact, cases, answer(exact, function, cases))
+        assert ("float64 has 16" in found.parts[0].feedback.message) == told
 
 
 def test_full_answer():

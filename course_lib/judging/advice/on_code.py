@@ -11,6 +11,11 @@ HYPOT = "`np.hypot` takes the two sides one by one: `np.hypot(a, b)`, or `np.hyp
 LIST = "A list or a tuple cannot be computed with. Make it an array: `np.array(…)`."
 TEXT = "A text cannot be computed with: `float(…)` makes a number of one like '12.5'."
 INDEX = "What counts rows is a whole number: `int(…)` makes one, and `//` divides without a rest."
+WHOLE = (
+    "A whole number belongs here, such as a count or an axis: `int(…)` makes one. The smaller of "
+    "two numbers is `np.minimum(a, b)`."
+)
+ONE_BY_ONE = "This is made one by one, and has neither length nor places. Make a list: `list(…)`."
 PARTS = "One number has no parts that `[…]` could pick."
 CALL = "A function stands here and not its result: round brackets call it, as in `np.sqrt(2)`."
 ONE = "This works for one number only; NumPy has it for arrays too."
@@ -22,6 +27,11 @@ ON_CODE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
     ("TypeError", "'bitwise_xor'", POWER),
     ("TypeError", "NoneType", NONE),
     ("AttributeError", "NoneType", NONE),
+    (
+        "TypeError",
+        "'module'",
+        "A module does nothing itself. Which of its functions is meant, as in `np.linalg.norm(a)`?",
+    ),
     (
         "TypeError",
         "object is not callable",
@@ -66,17 +76,13 @@ ON_CODE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "A loop cannot go through a single number. Over a count it goes with `range(n)`; and most "
         "formulas of NumPy take one number or an array, without any loop.",
     ),
-    (
-        "TypeError",
-        "cannot be interpreted as an integer",
-        "A whole number belongs here, such as a count or an axis: `int(…)` makes one. The smaller "
-        "of two numbers is `np.minimum(a, b)`.",
-    ),
+    ("TypeError", "cannot be interpreted as an integer", WHOLE),
+    ("TypeError", "sequence of integers", WHOLE),
     ("KeyError", "", "The dictionary has no such key. Print those that it has: `print(list(…))`."),
     (
         "TypeError",
-        re.compile("'(zip|map|filter|generator|set|dict_.*)' object is not subscriptable"),
-        "This is made one by one, and has no places. Make a list of it: `list(…)`.",
+        re.compile("'(zip|map|filter|generator|set|dict_.*)' (object|has no len)"),
+        ONE_BY_ONE,
     ),
     ("TypeError", "not subscriptable", PARTS),
     ("IndexError", "invalid index to scalar", PARTS),
@@ -117,6 +123,11 @@ ON_CODE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "only integer scalar arrays",
         "An array stands where a whole number belongs. Arrays to put together need brackets of "
         "their own: `np.concatenate([a, b], axis=-1)`.",
+    ),
+    (
+        "TypeError",
+        "unexpected keyword argument",
+        "The function has no argument of this name. Is it misspelt? Many of NumPy's take `axis=`.",
     ),
     ("TypeError", "positional argument", "Is the number of arguments the one in the exercise?"),
     (

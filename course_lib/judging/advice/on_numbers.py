@@ -21,6 +21,10 @@ EMPTY = (
     "No entries are left of which one could be the smallest or largest. What should the answer be "
     "then?"
 )
+LETTERS = (
+    "In `einsum` each letter is one axis of one size, and each axis has its letter; what comes "
+    "behind `->` stood before it. Print the shapes."
+)
 NO_NUMBER = "This text is not a number alone. Print it: are there letters or blanks in it?"
 NOT_FINITE = "A number is NaN or infinite here. Print what goes in: where does it come from?"
 
@@ -107,6 +111,7 @@ ON_NUMBERS: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "cannot reshape",
         "The new shape has not as many entries as the array. Which array is it? Print its shape.",
     ),
+    ("LinAlgError", "infs or NaNs", NOT_FINITE),
     (
         "LinAlgError",
         "must be square",
@@ -144,12 +149,8 @@ ON_NUMBERS: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "One number for each row meets a table, whose columns it does not fit. Make it a column: "
         "`a[:, 2:]` and not `a[:, 2]`, or `a[:, None]`, or `np.linalg.norm(…, keepdims=True)`.",
     ),
-    (
-        "ValueError",
-        "remapped shapes",
-        "A letter of `einsum` stands for two axes of different size. Print the shapes: each letter "
-        "is one axis, and has one size.",
-    ),
+    ("ValueError", "remapped shapes", LETTERS),
+    ("ValueError", "einstein sum", LETTERS),
     (
         "ValueError",
         "broadcast",
