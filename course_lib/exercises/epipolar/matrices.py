@@ -156,6 +156,12 @@ FUNDAMENTAL_FROM_CAMERAS = Exercise(
             also=[wrong.other_one_inverted_last],
         ),
         Misconception(
+            wrong.left_inverse_not_transposed,
+            "Only a matrix that changes sides in a product is transposed. Which of your inverses "
+            "stands beside x2ᵀ, and which beside x1?",
+            also=[wrong.inverse_transposed],
+        ),
+        Misconception(
             wrong.factors_turned_round,
             "x1 stands on the right. Which matrix meets it first: that of camera 1 or of camera 2?",
         ),

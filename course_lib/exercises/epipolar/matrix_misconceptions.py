@@ -193,6 +193,17 @@ def other_one_inverted_last(P1, P2):
     return skew(e2) @ M1 @ np.linalg.inv(M2)
 
 
+def left_inverse_not_transposed(P1, P2):
+    # F is also M2⁻ᵀ [M2⁻¹ e2]ₓ M1⁻¹: from one centre to the other, in space.
+    _, M2, inverse, e2 = blocks(P1, P2)
+    return np.linalg.inv(M2) @ skew(np.linalg.solve(M2, e2)) @ inverse
+
+
+def inverse_transposed(P1, P2):
+    _, M2, inverse, e2 = blocks(P1, P2)
+    return skew(e2) @ M2 @ inverse.T
+
+
 def factors_turned_round(P1, P2):
     _, M2, inverse, e2 = blocks(P1, P2)
     return skew(e2) @ inverse @ M2
