@@ -5,6 +5,7 @@ import os
 import re
 from pathlib import Path
 
+import cv2
 import matplotlib as mpl
 import numpy as np
 import pytest
@@ -192,6 +193,28 @@ def test_real_pairs():
         assert together[eight] == max(together) > 1.2 * sorted(together)[-2]
     (worst,) = (c for c in checked if not c.holds)
     assert (worst.pair, round(abs(worst.off), 1)) == (8, 2.2)
+
+
+def test_the_board_of_pair_8_moved_by_half_a_millimetre():
+    """Each camera alone says where the board was; together they say how far that is apart."""
+    fetched("opencv_stereo/left01.jpg")
+    TEXT.says("if it moved by half a millimetre between the two exposures")
+    points, moved = BOARD.points(), {}
+    for left_out, number in enumerate(NUMBERS):
+        seen = [list(corners(side)) for side in ("left", "right")]
+        held = [side.pop(left_out) for side in seen]
+        rig = calibrate_stereo(points, *seen, SIZE, MODEL)
+        places = []
+        for side, pixels in zip(("left", "right"), held, strict=True):
+            K, k = getattr(rig, f"K_{side}"), getattr(rig, f"coefficients_{side}")
+            _, turn, t = cv2.solvePnP(points, pixels, K, k)
+            places.append(points @ cv2.Rodrigues(turn)[0].T + t[:, 0])
+        apart = (places[1] - rig.t) @ rig.R - places[0]
+        moved[number] = float(np.sqrt((apart[:, :2] ** 2).sum(axis=1).mean()))
+        if number == 8:
+            assert np.sqrt((apart**2).sum(axis=1).mean()) == pytest.approx(0.5, abs=0.1)
+    others = [far for number, far in moved.items() if number != 8]
+    assert moved[8] > 1.8 * max(others)  # across the view, where both know it well
 
 
 def test_model_answers_give_the_same_numbers(cells):
