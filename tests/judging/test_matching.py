@@ -20,7 +20,7 @@ from course_lib.judging import (
     judge,
     pose,
 )
-from course_lib.judging.matching import BothBeyond, _agrees, _far_apart
+from course_lib.judging.matching import BothBeyond, _agrees, _failure, _far_apart
 
 
 def scaled(values, factor):
@@ -272,6 +272,21 @@ def test_the_same_exception_for_another_reason_is_another_mistake(function, hint
     answers = answer(RAISING, function, cases)
     assert {(a.status, a.error) for a in answers} == {("raised", "ValueError")}
     assert judge(RAISING, cases, answers).hints == hints
+
+
+def failed(message, line=""):
+    return _failure(Answer("raised", error="ValueError", message=message, line=line))
+
+
+def test_of_an_error_the_words_count_and_not_the_numbers():
+    assert failed("no 7 in 7 rows") == failed("no 12 in 12 rows") != failed("no 7 in 7 columns")
+
+
+def test_words_of_ones_own_do_not_count_but_those_on_an_array_in_an_if_do():
+    mine, theirs = (failed(words, "raise ValueError(…)") for words in ("too near", "no depth"))
+    assert mine == theirs
+    asked = "The truth value of an array with more than one element is ambiguous."
+    assert failed(asked, "if a < 0: raise ValueError") != mine
 
 
 @pytest.mark.parametrize("size", [1e-12, 1.0, 1e9])
