@@ -5,6 +5,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from white_light import WHITE, light
 
 from course_lib.camera import Camera
 from course_lib.drawing.planning.panel import _exposed
@@ -12,18 +13,15 @@ from course_lib.planning import (
     Box,
     Setup,
     Task,
-    base_for_overlap,
     box_in_view,
-    ground_sample_distance,
+    depth_range,
     judge_setup,
-    overlap,
-    plan_flight,
     read_cameras,
     read_lenses,
 )
 from course_lib.planning.setup import blur_of
+from course_lib.transforms import rotation_x, rotation_y, rotation_z
 from data_generators.lens import Lens
-from data_generators.quick import QuickRenderer
 from data_generators.render import radiance
 from data_generators.scene import Patch, Scene, polygon
 from data_generators.scene import box as solid
@@ -34,21 +32,71 @@ TURN = np.radians(20)
 EYE = 1.1 * np.array([np.sin(TURN), -np.cos(TURN), 0])
 SETUP = Setup(CAMERA, LENS, EYE, np.zeros(3), N=4, exposure_time=1 / 500, focus_distance=1.05)
 BOX = Box([0.3, 0.1, 0.2])
-WHITE = np.array((255, 255, 255))
-DRONE = read_cameras()["DJI Phantom 4 RTK"], read_lenses()["Phantom 4 RTK lens"]
+BARREL, CUSHION = np.array([-0.4, 0.1, 0.002, -0.002, 0]), np.array([0.5, 0, 0, 0.002, 0])
+AROUND = ((0, 0), (0, 1), (1, 1), (1, 0))
+FINE = 4  # pixels of a cutting in one of the picture
 
 
-def light(scene, camera):
-    """A picture of white things on black, 0 to 1."""
-    return QuickRenderer(scene, subpixels=8).picture(camera)[..., 1] / 255
+def spot(setup, point, samples=8):
+    """Diameter of the picture of a small lamp, px: a uniform disk's is 4 sigma."""
+    view, K = setup.view, setup.view.K.copy()
+    Z = float((view.R @ point + view.t)[2])
+    K[:2, 2] += 40 - np.rint(view.project(point))
+    side = 3 * Z / K[0, 0]
+    right, down = side * view.R[0], side * view.R[1]
+    lamp = Patch(point - (right + down) / 2, right, down, WHITE)
+    lens = Lens(setup.lens.f_mm, setup.N, 1000 * setup.focus_distance)
+    camera = Camera(K, view.R, view.t, (81, 81))
+    picture = radiance(Scene((lamp,), (0, 0, 0)), camera, samples, Shot(lens=lens)).sum(axis=2)
+    variances = [
+        (picture * (axis - (picture * axis).sum() / picture.sum()) ** 2).sum() / picture.sum()
+        for axis in np.indices(picture.shape)
+    ]
+    return float(4 * np.sqrt(np.mean(variances) - 9 / 12 - 1 / 12))
 
 
-def coarser(camera, times):
-    """The same view with pixels so many times as large."""
-    size = tuple(n // times for n in camera.image_size)
-    K = camera.K / times
-    K[:2, 2], K[2, 2] = (np.array(size) - 1) / 2, 1
-    return Camera(K, camera.R, camera.t, size)
+def white_box(box):
+    """A box of white light, its faces as patches."""
+    x, y, z = np.array([-1, 1]) * box.size[:, None] / 2
+    half = [np.array(ends) for ends in (x, y, z)]
+    faces = []
+    for axis in range(3):
+        others = [n for n in range(3) if n != axis]
+        for side in half[axis]:
+            corners = np.zeros((4, 3))
+            corners[:, axis] = side
+            corners[:, others] = [(half[others[0]][a], half[others[1]][b]) for a, b in AROUND]
+            faces.append(polygon(box.centre + corners @ box.R.T, WHITE))
+    return Scene(tuple(faces), (0, 0, 0))
+
+
+def cutting(camera, times, low, size):
+    """A part of the picture, enlarged in u and v: from the corner `low`, `size` px large there."""
+    K, times = camera.K.copy(), np.array(times)
+    K[:2] *= times[:, None]
+    K[:2, 2] += (times - 1) / 2 - times * (np.array(low) + 0.5)
+    return Camera(K, camera.R, camera.t, tuple(np.rint(times * size).astype(int).tolist()))
+
+
+def outermost(scene, camera, distortion):
+    """Room between the light and the picture's left, right, top and bottom, by rays, px."""
+
+    def lit(part):
+        return radiance(scene, part, 1, Shot(distortion=distortion)).sum(axis=2) > 0
+
+    width, height = camera.image_size
+    coarse = lit(cutting(camera, (1 / 8, 1 / 8), (-0.5, -0.5), camera.image_size))
+    found = []
+    for axis, length in ((0, width), (1, height)):
+        ends = 8 * np.flatnonzero(coarse.any(axis=axis))[[0, -1]] + 4
+        for side, end in enumerate(ends):
+            # A strip of 24 px around the end that was found, along the whole picture.
+            low, size, times = np.full(2, -0.5), np.array(camera.image_size), np.full(2, 2)
+            low[axis], size[axis], times[axis] = end - 12.5, 24, FINE
+            there = np.flatnonzero(lit(cutting(camera, times, low, size)).any(axis=axis))
+            place = low[axis] + (there[-side] + side) / FINE  # where its pixel begins or ends
+            found.append(length - 0.5 - place if side else place + 0.5)
+    return np.array(found)
 
 
 def rooms(picture):
@@ -75,15 +123,23 @@ class TestInView:
         assert predicted.inside
         np.testing.assert_allclose(rooms(light(scene, camera)), predicted.margins, atol=0.5)
 
-    def test_from_the_side(self):
-        camera = SETUP.view
-        scene = Scene(tuple(solid(-BOX.size / 2, BOX.size, WHITE, WHITE)), (0, 0, 0))
-        seen = light(scene, camera) > 0
-        columns, lines = np.flatnonzero(seen.any(axis=0)), np.flatnonzero(seen.any(axis=1))
-        width, height = camera.image_size
-        found = [columns[0], width - 1 - columns[-1], lines[0], height - 1 - lines[-1]]
-        # The outermost pixel that has any light begins at most one pixel before the box.
-        np.testing.assert_allclose(box_in_view(BOX, camera).margins - 0.5, found, atol=0.5 + 1 / 8)
+    @pytest.mark.parametrize(
+        ("distortion", "turn"), [(None, 0.3), (BARREL, 0.0), (BARREL, 0.3), (CUSHION, 0.3)]
+    )
+    def test_from_the_side(self, distortion, turn):
+        """Turned box, camera at the side, bent edges: the outermost light on each side."""
+        box = Box(BOX.size, BOX.centre, rotation_z(turn) @ rotation_y(turn / 2))
+        coefficients = () if distortion is None else distortion
+        predicted = box_in_view(box, SETUP.view, coefficients)
+        assert predicted.inside
+        found = outermost(white_box(box), SETUP.view, distortion)
+        np.testing.assert_allclose(predicted.margins, found, atol=0.25)
+
+    def test_distortion_matters_there(self):
+        straight = box_in_view(BOX, SETUP.view).margins
+        for distortion in (BARREL, CUSHION):
+            bent = box_in_view(BOX, SETUP.view, distortion).margins
+            assert np.abs(bent - straight).max() > 5
 
     def test_with_motion_it_is_the_least_room_over_all_places(self):
         camera, motion = SETUP.view, np.array([0.02, 0.01, 0.015])
@@ -97,26 +153,21 @@ class TestInView:
 class TestBlur:
     @pytest.mark.parametrize(("Z", "N"), [(0.85, 1.4), (1.3, 1.4), (0.8, 2.8), (2.0, 4)])
     def test_defocus_is_that_of_rays_through_the_lens(self, Z, N):
-        """A small lamp becomes a disk; a uniform disk's diameter is 4 sigma."""
         setup = replace(SETUP, eye=np.zeros(3), target=np.array([0, 1.0, 0]), N=N)
-        view, size = setup.view, (81, 81)
-        K = view.K.copy()
-        K[:2, 2] = 40
-        camera = Camera(K, view.R, view.t, size)
-        side = 3 * Z / K[0, 0]
-        corner = np.array([-side / 2, Z, side / 2])
-        lamp = Patch(corner, np.array([side, 0, 0]), np.array([0, 0, -side]), WHITE)
-        lens = Lens(setup.lens.f_mm, N, 1000 * setup.focus_distance)
-        picture = radiance(Scene((lamp,), (0, 0, 0)), camera, 8, Shot(lens=lens)).sum(axis=2)
-        places = np.indices(picture.shape)
-        variances = [
-            (picture * (axis - (picture * axis).sum() / picture.sum()) ** 2).sum() / picture.sum()
-            for axis in places
-        ]
-        found = 4 * np.sqrt(np.mean(variances) - 9 / 12 - 1 / 12)
         predicted = float(blur_of(setup, Z))
         assert predicted > 3
-        assert found == pytest.approx(predicted, rel=0.01, abs=0.5)
+        assert spot(setup, np.array([0, Z, 0])) == pytest.approx(predicted, rel=0.01, abs=0.5)
+
+    @pytest.mark.parametrize("focus", [0.95, 1.2])
+    def test_depth_of_field_is_the_largest_spot_of_a_turned_box(self, focus):
+        box = Box([0.3, 0.1, 0.2], [0.02, 0.03, 0], rotation_z(0.6) @ rotation_x(0.4))
+        setup = replace(SETUP, N=1.4, focus_distance=focus)
+        task = Task(box, np.array([0, -1.0, 0]), 1e-3)
+        (verdict,) = (v for v in judge_setup(setup, task) if v.name == "depth of field")
+        spots = [spot(setup, corner, 4) for corner in box.corners]
+        assert max(spots) == pytest.approx(verdict.value, rel=0.01, abs=0.5)
+        near, far = depth_range(box, setup.view)
+        assert verdict.value == pytest.approx(blur_of(setup, [near, far]).max())
 
     @pytest.mark.parametrize("speed", [0.5, 2.0, 3.7])
     def test_a_smear_is_the_way_between_two_pictures(self, speed):
@@ -137,48 +188,3 @@ class TestBlur:
         assert column.sum() == pytest.approx(1, abs=0.02)
         assert 1 / column.max() == pytest.approx(max(smear, 1), abs=0.5)
         assert np.count_nonzero(column) == 2 * np.ceil(smear / 2 - 0.5 + 1e-9) + 1
-
-
-class TestFlight:
-    @pytest.mark.parametrize("height", [0.0, -20.0, 14.0])
-    def test_ground_sampling_distance_is_measured_between_marks(self, height):
-        plan = plan_flight([[0, 0], [60, 0], [60, 40], [0, 40]], *DRONE, 0.02)
-        camera, (x, y) = coarser(plan.cameras[0], 8), plan.centres[0, :2]
-        half, apart = 0.5, 20.0
-        marks = [
-            polygon(
-                [
-                    (x + east + a * half, y + b * half, height)
-                    for a, b in ((-1, 1), (1, 1), (1, -1), (-1, -1))
-                ],
-                WHITE,
-            )
-            for east in (-apart / 2, apart / 2)
-        ]
-        picture = light(Scene(tuple(marks), (0, 0, 0)), camera)
-        column = np.arange(picture.shape[1])
-        left, right = np.array_split(picture.sum(axis=0), 2)
-        halves = np.array_split(column, 2)
-        centres = [
-            (part * at).sum() / part.sum() for part, at in zip((left, right), halves, strict=True)
-        ]
-        measured = apart / (centres[1] - centres[0]) / 8
-        predicted = ground_sample_distance(plan.H - height, DRONE[1].f_mm, DRONE[0].pitch_um)
-        assert measured == pytest.approx(float(predicted), rel=0.01)
-
-    @pytest.mark.parametrize("share", [0.6, 2 / 3, 0.8])
-    @pytest.mark.parametrize("height", [0.0, -20.0, 14.0])
-    def test_overlap_is_the_part_of_a_picture_that_shows_the_footprint_of_the_last(
-        self, share, height
-    ):
-        """Rays through the corners of one picture make a white field; the next one shows it."""
-        plan = plan_flight([[0, 0], [60, 0], [60, 90], [0, 90]], *DRONE, 0.02, forward=share)
-        one, other = plan.cameras[:2]
-        width, depth = one.image_size
-        corners = np.array([[0, 0], [width, 0], [width, depth], [0, depth]]) - 0.5
-        rays = one.pixel_ray(corners)
-        field = one.centre + rays * ((height - one.centre[2]) / rays[:, 2])[:, None]
-        seen = light(Scene((polygon(field, WHITE),), (0, 0, 0)), coarser(other, 8)).mean()
-        length = depth * plan.gsd * (plan.H - height) / plan.H
-        assert plan.base == pytest.approx(float(base_for_overlap(share, depth * plan.gsd)))
-        assert seen == pytest.approx(float(overlap(plan.base, length)), rel=0.01)
