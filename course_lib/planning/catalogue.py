@@ -6,6 +6,7 @@ Use these functions through `course_lib.planning`.
 from __future__ import annotations
 
 import csv
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -149,6 +150,55 @@ def read_lenses(path: str | Path = HERE / "lenses.tsv") -> dict[str, LensModel]:
         If a column is missing or a value cannot be read; names the line.
     """
     return {lens.name: lens for lens in _rows(path, _lens)}
+
+
+def own_cameras(given: object) -> dict[str, CameraModel]:
+    """Return a reader's own cameras by name.
+
+    Parameters
+    ----------
+    given : CameraModel, iterable of CameraModel, mapping to CameraModel, str or Path
+        A camera, several of them, what `read_cameras` returned, or a table for it to read.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is none of these, or the table cannot be read.
+    """
+    table = read_cameras(given) if isinstance(given, str | Path) else given
+    return {c.name: c for c in _all_of(table, CameraModel, "cameras")}
+
+
+def own_lenses(given: object) -> dict[str, LensModel]:
+    """Return a reader's own lenses by name.
+
+    Parameters
+    ----------
+    given : LensModel, iterable of LensModel, mapping to LensModel, str or Path
+        A lens, several of them, what `read_lenses` returned, or a table for it to read.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is none of these, or the table cannot be read.
+    """
+    table = read_lenses(given) if isinstance(given, str | Path) else given
+    return {lens.name: lens for lens in _all_of(table, LensModel, "lenses")}
+
+
+def _all_of(given: object, kind: type, name: str) -> list[Any]:
+    """Return one thing or several of a kind as a list."""
+    if isinstance(given, kind):
+        return [given]
+    several = given.values() if isinstance(given, Mapping) else given
+    found = list(several) if isinstance(several, Iterable) else [given]
+    for one in found:
+        if not isinstance(one, kind):
+            raise TypeError(
+                f"{name} must be of {kind.__name__} or a table's file name, "
+                f"got {type(one).__name__}: write planning.{kind.__name__}(...)"
+            )
+    return found
 
 
 def _camera(row: dict[str, str]) -> CameraModel:

@@ -82,7 +82,7 @@ def depth_of_field(setup: Setup, task: Task) -> Verdict:
     spots = blur_of(setup, [near, far])
     worst, met = float(spots.max()), bool(spots.max() <= task.blur_px * (1 + 1e-12))
     end = "near" if spots[0] > spots[1] else "far"
-    reason = f"At the {end} end of the box a point makes a spot of {worst:.2g} px."
+    reason = f"At the {end} end of the box a point makes a spot of {worst:.3g} px."
     window = _window(setup, task)
     remedy = f"Focus on {window.focus_distance:.3g} m and stop down to f/{window.least:.2g}."
     if not window.is_open:
@@ -95,7 +95,7 @@ def diffraction(setup: Setup, task: Task) -> Verdict:
     m = float(magnification(setup.lens.f_mm, 1000 * setup.focus_distance))
     airy = float(airy_diameter(WAVELENGTH_UM / 1000, setup.N * (1 + m))) * 1000
     disk, met = airy / setup.camera.pitch_um, airy <= task.blur_px * setup.camera.pitch_um
-    reason = f"At f/{setup.N:g} the Airy disk measures {disk:.2g} px."
+    reason = f"At f/{setup.N:g} the Airy disk measures {disk:.3g} px."
     most = setup.N * task.blur_px / disk
     remedy = "" if met else f"Open the aperture to f/{most:.2g} or wider."
     return Verdict("diffraction", met, disk, task.blur_px, "px", reason, remedy)
@@ -114,7 +114,7 @@ def image_circle(setup: Setup, task: Task) -> Verdict:
     """Return whether what the lens draws covers the whole sensor; one of the same format does."""
     circle, diagonal = setup.lens.image_circle_mm, float(np.hypot(*setup.camera.sensor_size))
     met = circle >= diagonal * (1 - NOMINAL)
-    reason = f"The lens draws a circle of {circle:.3g} mm; the sensor's diagonal is {diagonal:.3g}."
+    reason = f"The lens draws {circle:.3g} mm across; the sensor's diagonal is {diagonal:.3g} mm."
     remedy = "" if met else "The corners stay dark: take a lens for a larger sensor."
     return Verdict("image circle", met, circle, diagonal, "mm", reason, remedy)
 
@@ -126,7 +126,7 @@ def motion_blur(setup: Setup, task: Task) -> Verdict:
     pixel = near / setup.view.K[0, 0]  # across the line of sight
     smear = float(motion_blur_pixels(task.speed, setup.exposure_time, pixel))
     met = smear <= task.blur_px
-    reason = f"In 1/{1 / setup.exposure_time:.0f} s the fastest point moves by {smear:.2g} px."
+    reason = f"In 1/{1 / setup.exposure_time:.0f} s the fastest point moves by {smear:.3g} px."
     longest = task.blur_px * pixel / task.speed if task.speed else np.inf
     remedy = "" if met else f"Expose for 1/{np.ceil(1 / longest):.0f} s or less, with more light."
     return Verdict("motion blur", met, smear, task.blur_px, "px", reason, remedy)
@@ -138,7 +138,7 @@ def frame_rate(setup: Setup, task: Task) -> Verdict:
     met = fastest >= task.frame_rate
     built = fastest == setup.camera.frame_rate
     why = "its maker's" if built else "the exposure's"
-    reason = f"The camera takes {fastest:.3g} pictures a second, {why} limit."
+    reason = f"The camera takes {fastest:.4g} pictures a second, {why} limit."
     remedy = "Read fewer rows, or take a faster camera." if built else "Expose for less time."
     remedy = "" if met else remedy
     return Verdict("frame rate", met, fastest, task.frame_rate, "1/s", reason, remedy)
@@ -148,7 +148,7 @@ def light(setup: Setup, task: Task) -> Verdict:
     """Return whether the exposure is long enough for the aperture: t / N² makes the light."""
     t, needed = setup.exposure_time, task.exposure_at_f1 * setup.N**2
     met = t >= needed * (1 - 1e-12)
-    reason = f"At f/{setup.N:g} the light needs {1e6 * needed:.3g} µs; it has {1e6 * t:.3g} µs."
+    reason = f"At f/{setup.N:g} the light needs {1e6 * needed:.3g} µs; it has {1e6 * t:.4g} µs."
     remedy = "" if met else f"Open to f/{setup.N * np.sqrt(t / needed):.2g}, or bring more lamps."
     return Verdict("light", met, 1e6 * t, 1e6 * needed, "µs", reason, remedy)
 
@@ -169,7 +169,7 @@ def expected_sigma(setup: Setup, second: Setup, task: Task, sigma_px: float = 0.
     spread = np.linalg.eigvalsh(point_covariance(task.box.corners, cameras, sigma_px))
     worst = float(np.sqrt(spread.max()))
     met = worst <= task.sigma
-    reason = f"A corner of the box is known to ± {1000 * worst:.2g} mm in its worst direction."
+    reason = f"A corner of the box is known to ± {1000 * worst:.3g} mm in its worst direction."
     remedy = "" if met else "Move the cameras farther apart, or nearer to the object."
     return Verdict("expected σ", met, 1000 * worst, 1000 * task.sigma, "mm", reason, remedy)
 

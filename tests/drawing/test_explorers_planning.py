@@ -7,8 +7,17 @@ from course_lib.drawing.explorers import flight_planner as air
 from course_lib.drawing.explorers import setup_planner as bench
 from course_lib.drawing.planning import site
 from course_lib.drawing.planning.panel import BOX, TASK, close_up, stand
-from course_lib.drawing.style import rgb
-from course_lib.planning import box_in_view, judge_setup, plan_flight, views_of_ground
+from course_lib.drawing.style import ROLES, rgb
+from course_lib.planning import (
+    CameraModel,
+    LensModel,
+    box_in_view,
+    judge_setup,
+    plan_flight,
+    read_cameras,
+    read_lenses,
+    views_of_ground,
+)
 from course_lib.widgets.planning import flight_planner, setup_planner
 
 SETTING = {"camera": "Phantom v2640", "lens": "Zeiss Milvus 1.4/85"}
@@ -26,7 +35,7 @@ def by_role(picture, role):
 
 
 def rows(frame):
-    """Return the lines of the table: sign, name, value, limit, and the remedy or nothing."""
+    """Return the lines of the table: sign, name, value, limit, and the reason or the remedy."""
     found = []
     for label in frame.pictures[2].labels:
         if label.text in "✓✗":
@@ -58,12 +67,23 @@ def test_the_table_is_the_verdict_of_the_library(changes):
     for row, verdict in zip(table, verdicts, strict=True):
         number = float(row[2].split()[0])
         assert number == pytest.approx(verdict.value, rel=0.006, abs=0.5 * (abs(number) >= 99))
-        assert len(row) == 4 + (not verdict.met)
-        assert verdict.met or verdict.remedy.startswith(row[4].removesuffix(" …"))
+        (why,) = row[4:]
+        assert why == (verdict.reason if verdict.met else verdict.remedy)
         # The words before the limit say which way it is meant.
         above = verdict.value >= verdict.limit
         assert verdict.met == (above if row[3].startswith("at least") else not above)
     assert value(frame, "Demands met") == f"{sum(v.met for v in verdicts)} of 10"
+
+
+def test_the_words_say_of_each_demand_number_limit_reason_and_what_would_help():
+    told = bench.setup_frame(**SETTING | {"N": 5.6}).pictures[2].alt
+    assert told.startswith("Table of 10 demands; not met: depth of field. In view: 108 px, ")
+    assert "at least 0 px, met. In the picture; the smallest room is 108 px, on the right." in told
+    assert (
+        "Depth of field: 2.2 px, at most 1.5 px, not met. At the far end of the box a point makes "
+        "a spot of 2.2 px. Focus on 2.19 m and stop down to f/8.2. Diffraction: "
+    ) in told
+    assert told.count(", met.") == 9
 
 
 def test_the_box_is_drawn_where_the_camera_sees_it():
@@ -106,9 +126,44 @@ def test_a_lens_that_does_not_fit_is_refused_in_words():
     texts = [label.text for label in frame.pictures[2].labels]
     assert "has the mount C" in texts[1]
     assert texts[2] == "Phantom v2640 has Nikon F"
-    assert set(texts[4:]) == {
-        name for name, lens in bench.lenses().items() if lens.mount == "Nikon F"
-    }
+    fitting = [name for name, lens in bench.lenses().items() if lens.mount == "Nikon F"]
+    assert texts[4:] == fitting
+    assert f"These lenses fit this camera: {', '.join(fitting)}." in frame.pictures[2].alt
+
+
+MY_LENS = LensModel("Mine", 70, 2.8, 16, 0.6, 43.3, "Nikon F", "its maker")
+MY_CAMERA = CameraModel("Mine, 8 Mpx", (4000, 2000), 3.0, 500, "global", "M42", "its maker")
+
+
+def test_cameras_and_lenses_of_ones_own_stand_behind_those_of_the_catalogue(tmp_path):
+    table = tmp_path / "mine.tsv"
+    columns = ["name", "f_mm", "N_least", "N_most", "closest", "image_circle_mm", "mount", "source"]
+    table.write_text("\t".join(columns) + "\nTable's\t40\t2\t11\t0.3\t30\tM42\tmeasured\n")
+    for lenses in (MY_LENS, [MY_LENS], {"Mine": MY_LENS}):
+        planner = setup_planner(lenses=lenses)
+        assert planner._controls["lens"].options == (*bench.lenses(), "Mine")
+    planner = setup_planner([MY_CAMERA], table)
+    assert planner._controls["camera"].options == (*bench.cameras(), "Mine")
+    planner.set(camera="Mine")
+    assert planner.frame_now().pictures[2].alt.endswith("These lenses fit this camera: Table's.")
+    planner.set(lens="Table's", Z=2)
+    one = stand(MY_CAMERA, read_lenses(table)["Table's"], 2, np.radians(15), 10, 250e-6)
+    seen = box_in_view(BOX.with_motion(TASK.motion), one.view)
+    assert rows(planner.frame_now())[0][2] == f"{seen.margins.min():.0f} px"
+
+
+def test_a_camera_without_any_lens_says_so():
+    planner = setup_planner(MY_CAMERA)
+    planner.set(camera="Mine")
+    assert planner.frame_now().pictures[2].alt.endswith("fit this camera: none.")
+    with pytest.raises(ValueError, match="Mine, 8 Mpx has the mount 'M42', and no lens has it"):
+        flight_planner(MY_CAMERA)
+
+
+@pytest.mark.parametrize("wrong", [7, [MY_CAMERA], ["Mine"]])
+def test_what_is_no_lens_is_refused_in_a_sentence(wrong):
+    with pytest.raises(TypeError, match="lenses must be of LensModel or a table's file name"):
+        setup_planner(lenses=wrong)
 
 
 @pytest.mark.parametrize("camera", bench.cameras())
@@ -142,6 +197,72 @@ def test_the_map_counts_pictures():
         100 * np.mean(inside < 3), abs=1.1
     )
     assert value(frame, "Pictures") == f"{len(plan.centres)} in 2 lines"
+
+
+def test_a_drone_of_ones_own_flies_with_the_lens_that_fits_it():
+    mine = LensModel("Mine", 20, 2.8, 16, 0.6, 30, "M42", "its maker")
+    planner = flight_planner([MY_CAMERA, read_cameras()["Nikon D850"]], mine)
+    assert planner._controls["camera"].options[2:] == ("Mine, 8 Mpx", "Nikon D850")
+    planner.set(camera="Mine, 8 Mpx", gsd=2)
+    assert value(planner.frame_now(), "Height") == f"{0.02 * 20e-3 / 3e-6:.0f}"
+    planner.set(camera="Nikon D850")  # with the first lens of the catalogue that fits
+    assert value(planner.frame_now(), "Height") == f"{0.02 * 85e-3 / 4.35e-6:.0f}"
+
+
+def test_hidden_places_are_seen_on_the_map_and_in_the_words():
+    sparse = {"forward": 50, "side": 20}
+    frame = air.flight_frame(**FLIGHT | sparse)
+    plan = site.flight(forward=0.5, side=0.2)
+    places = site.grid()[:, :2]
+    shown, covered = (
+        views_of_ground(plan, places, site.ground),
+        site.in_footprints(plan, site.grid()),
+    )
+    covered = np.bincount(covered[1], minlength=len(places))
+    hidden = (shown < 2) & (covered >= 2)
+    assert 0 < hidden.sum() < np.sum(shown < covered)
+    picture = frame.pictures[0]
+    for number in range(len(places)):
+        u, v = (round(x) for x in air.PLAN.at(*places[number]))
+        field = picture.image[v - 5 : v + 5, u - 5 : u + 5].reshape(-1, 3).tolist()
+        assert (list(rgb(ROLES["second"])) in field) == hidden[number]
+        assert ([0, 0, 0] in field) == (shown[number] < covered[number])
+    inside = site.in_area(site.AREA)
+    partly = 100 * np.mean((shown < covered)[inside])
+    assert value(frame, "Area hidden from some pictures") == f"{partly:.0f}"
+    assert f"{partly:.0f} % of the area are hidden from some pictures, " in picture.alt
+    assert f"{100 * np.mean(hidden[inside]):.0f} % so that fewer than two remain." in picture.alt
+    flat = air.flight_frame(**FLIGHT | sparse | {"hilly": False})
+    assert value(flat, "Area hidden from some pictures") == "0"
+    assert not (flat.pictures[0].image[30:390, 46:496] == 0).all(axis=2).any()
+
+
+def test_the_footprints_of_the_first_line_are_on_the_map():
+    frame = air.flight_frame(**FLIGHT | {"hilly": False})
+    plan = site.flight()
+    footprints = plan.footprints()[plan.strips == 0]
+    (first,) = by_role(frame.pictures[0], "object")
+    corners = air.PLAN.pixels(*footprints[0].T)
+    there = corners[np.isfinite(corners[:, 0])]
+    assert len(there) == 2  # the others are beyond the map
+    assert all(np.nanmin(np.abs(first - corner).max(axis=1)) < 1e-3 for corner in there)
+    red = np.array(rgb(ROLES["object"]))
+    for footprint in footprints[2:8]:
+        u, v = (round(x) for x in air.PLAN.at(footprint[:, 0].max(), 203))
+        row = frame.pictures[0].image[v, u - 3 : u + 4].astype(int)
+        assert np.abs(row - red).sum(axis=1).argmin() == 3
+        assert np.abs(row[3] - row[0]).sum() > 60
+
+
+def test_segments_end_at_the_edges_of_the_axes():
+    inside = air.PLAN.within([[(-50, 120), (350, 120)], [(10, 10), (10, 10.5)], [(-9, 0), (-9, 9)]])
+    left, right, top, bottom = air.PLAN.box
+    middle = (top + bottom) / 2
+    assert inside.shape == (2, 2, 2)
+    np.testing.assert_allclose(inside[0], [(left, middle), (right, middle)])
+    np.testing.assert_allclose(inside[1], air.PLAN.pixels([10, 10], [10, 10.5]))
+    (slanted,) = air.PLAN.within([[(-100, -80), (400, 320)]])
+    np.testing.assert_allclose(slanted, [(left, bottom), (right, top)])
 
 
 def test_a_corner_is_dragged_to_where_the_pointer_is():

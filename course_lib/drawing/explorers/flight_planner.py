@@ -2,29 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from course_lib.drawing.explorers.frame import Frame, Handle, Label, Line, Picture, Readout
-from course_lib.drawing.explorers.plot import Plot, disc
+from course_lib.drawing.explorers.plot import Plot, disc, lifted
 from course_lib.drawing.planning.flying import COLOURS, STEPS
 from course_lib.drawing.planning.site import (
     AREA,
     CELL,
-    DRONES,
     EXTENT,
     HALF_AXES,
     HEAP,
     PIT,
     RADIUS,
-    counts,
-    drone,
+    Counted,
+    Drone,
+    count_places,
     flight,
-    in_area,
 )
-from course_lib.drawing.style import rgb
+from course_lib.drawing.planning.site import drones as known_drones
+from course_lib.drawing.style import ROLES, rgb
 from course_lib.planning import FlightPlan, ground_sample_distance, max_speed
 
 Floats = NDArray[np.float64]
@@ -33,7 +34,8 @@ Pixels = NDArray[np.uint8]
 SIZE = (640, 450)  # px of the map with its scale
 PLAN = Plot((46, 496, 30, 390), (0, EXTENT[0]), (0, EXTENT[1]))
 EXPOSURE, BLUR, TURN = 1 / 1000, 0.5, 5.0  # s, px, and s that are lost at the end of a line
-NAMES = ("0 or 1", "2", "3 to 5", "6 to 8", "9 or more")
+NAMES = ("0 or 1", "2", "3 to 5", "6 to 8", "9 or more", "0 or 1: hidden")
+START = tuple(AREA)
 
 
 def flight_frame(
@@ -43,6 +45,7 @@ def flight_frame(
     side: float,
     heading: float,
     hilly: bool,
+    drones: Mapping[str, Drone] | None = None,
     **at: float,
 ) -> Frame:
     """Return the map of a flight, and how many pictures show each place.
@@ -50,7 +53,7 @@ def flight_frame(
     Parameters
     ----------
     camera : str
-        A flying camera of the catalogue.
+        Name of a flying camera.
     gsd : float
         Ground sampling distance, cm.
     forward, side : float
@@ -59,6 +62,8 @@ def flight_frame(
         Direction of the lines, clockwise from north, degrees.
     hilly : bool
         Whether the ground has its pit and its heap, or is flat.
+    drones : mapping, optional
+        All flying cameras with their lenses by name; those of the catalogue unless given.
     **at : float
         ``x1``, ``y1`` … ``x4``, ``y4``: east and north of the area's corners, m.
 
@@ -68,22 +73,21 @@ def flight_frame(
         The map and the numbers of the flight.
     """
     area = np.array([(at[f"x{i}"], at[f"y{i}"]) for i in range(1, 5)])
+    flying = (drones or known_drones())[camera]
     try:
-        plan = flight(gsd / 100, forward / 100, side / 100, np.radians(heading), area, camera)
+        plan = flight(gsd / 100, forward / 100, side / 100, np.radians(heading), area, flying)
     except ValueError as error:  # the corners lie on a line
         return Frame((_empty(area, str(error)),), (Readout("No flight", "", str(error)),))
-    seen = counts(plan, hilly)
-    return Frame((_map(plan, seen, hilly),), _numbers(plan, seen, camera, hilly))
+    counted = count_places(plan, hilly)
+    return Frame((_map(plan, counted, hilly),), _numbers(plan, counted, flying, hilly))
 
 
-def _numbers(
-    plan: FlightPlan, seen: NDArray[np.intp], name: str, hilly: bool
-) -> tuple[Readout, ...]:
+def _numbers(plan: FlightPlan, counted: Counted, flying: Drone, hilly: bool) -> tuple[Readout, ...]:
     """Return what the flight costs, and what it misses."""
-    camera, lens = drone(name)
+    camera, lens = flying
     speed = float(max_speed(plan.base, 1 / camera.frame_rate, plan.gsd, EXPOSURE, BLUR))
-    inside = seen[in_area(plan.polygon)]
-    few = 100 * float(np.mean(inside < 3)) if inside.size else 0.0
+    few, partly = (counted.percent(w) for w in (counted.shown < 3, counted.partly_hidden))
+    least = f"{counted.least}" if counted.inside.any() else "–"
     lines = int(plan.strips.max()) + 1
     floor = float(ground_sample_distance(plan.H + 20.0 * hilly, lens.f_mm, camera.pitch_um))
     return (
@@ -94,34 +98,44 @@ def _numbers(
         Readout("Speed", "v", f"{speed:.1f}", "m/s"),
         Readout("Time in the air", "", f"{plan.duration(speed, TURN) / 60:.1f}", "min"),
         Readout("Area in fewer than 3 pictures", "", f"{few:.0f}", "%"),
-        Readout("Fewest pictures of a place", "", f"{inside.min()}" if inside.size else "–"),
+        Readout("Area hidden from some pictures", "", f"{partly:.0f}", "%"),
+        Readout("Fewest pictures of a place", "", least),
         Readout("GSD on the lowest ground", "", f"{100 * floor:.2f}", "cm"),
     )
 
 
-def _map(plan: FlightPlan, seen: NDArray[np.intp], hilly: bool) -> Picture:
+def _map(plan: FlightPlan, counted: Counted, hilly: bool) -> Picture:
     """Return the counts as colours, the flight over them, and the corners to be dragged."""
-    inside = seen[in_area(plan.polygon)]
-    least = inside.min() if inside.size else 0
-    first = plan.footprints()[0]
+    edges = _edges(plan.footprints()[plan.strips == 0])
+    way = np.stack([plan.centres[:-1, :2], plan.centres[1:, :2]], axis=1)
     lines = (
         PLAN.frame(),
         *(_shapes() if hilly else ()),
-        Line(_seen(_dense(first)), "object", 1.5, dashed=True),
-        Line(_seen(_dense(plan.centres[:, :2], closed=False)), "camera", 0.8),
+        Line(lifted(PLAN.within(edges[0])), "object", 1.5, dashed=True),
+        Line(lifted(PLAN.within(way)), "camera", 0.8),
         Line(_dots(plan), "camera", 2.0),
         Line(PLAN.pixels(*plan.polygon.T), "ink", 2.0, closed=True),
     )
     return Picture(
         "Drag the corners",
-        f"Map of {len(plan.centres)} pictures from {plan.H:.0f} m, "
-        f"over {'the pit' if hilly else 'flat ground'}; "
-        f"each place of the area is in {least} pictures at least.",
+        _in_words(plan, counted, hilly),
         SIZE,
-        _picture(seen),
+        _picture(counted, PLAN.within(edges[1:].reshape(-1, 2, 2))),
         lines=lines,
         labels=_words(),
         handles=_handles(plan.polygon),
+    )
+
+
+def _in_words(plan: FlightPlan, counted: Counted, hilly: bool) -> str:
+    """Return what the map shows."""
+    width, depth = (plan.gsd * n for n in plan.image_size)
+    partly, hidden = counted.percent(counted.partly_hidden), counted.percent(counted.hidden)
+    return (
+        f"Map of {len(plan.centres)} pictures from {plan.H:.0f} m, "
+        f"over {'the pit' if hilly else 'flat ground'}, each of {width:.0f} × {depth:.0f} m; "
+        f"each place of the area is in {counted.least} pictures at least. {partly:.0f} % of the "
+        f"area are hidden from some pictures, {hidden:.0f} % so that fewer than two remain."
     )
 
 
@@ -144,24 +158,14 @@ def _handles(area: Floats) -> tuple[Handle, ...]:
     left, right, top, bottom = PLAN.box
     east, north = PLAN.x[1] / (right - left), PLAN.y[1] / (bottom - top)
     return tuple(
-        Handle(
-            PLAN.at(*corner),
-            ((f"x{i}", -left * east, east, 0.0), (f"y{i}", bottom * north, 0.0, -north)),
-        )
-        for i, corner in enumerate(area.tolist(), 1)
+        Handle((u, v), ((f"x{i}", -left * east, east, 0.0), (f"y{i}", bottom * north, 0.0, -north)))
+        for i, (u, v) in enumerate(PLAN.pixels(*area.T).tolist(), 1)
     )
 
 
-def _dense(points: Floats, closed: bool = True) -> Floats:
-    """Return a polyline with points every few metres, so that it ends at the edge of the map."""
-    ends = np.vstack([points, points[:1]]) if closed else points
-    share = np.linspace(0, 1, 24 if closed else 6, endpoint=False)[:, None, None]
-    between = ends[:-1] + share * (ends[1:] - ends[:-1])
-    return np.vstack([between.transpose(1, 0, 2).reshape(-1, 2), ends[-1:]])
-
-
-def _seen(points: Floats) -> Floats:
-    return PLAN.pixels(*points.T)
+def _edges(footprints: Floats) -> Floats:
+    """Return the two ends of each edge, (..., 4, 2, 2)."""
+    return np.stack([footprints, np.roll(footprints, -1, axis=-2)], axis=-2)
 
 
 def _dots(plan: FlightPlan) -> Floats:
@@ -185,36 +189,64 @@ def _shapes() -> tuple[Line, Line]:
 def _words() -> tuple[Label, ...]:
     """Return the labels that stay."""
     keys = [Label(name, (540, 70 + 26 * i)) for i, name in enumerate(NAMES)]
+    rows = (
+        ("hatched: hidden", "ink"),
+        ("from some pictures", "ink"),
+        ("dashed red: first", "object"),
+        ("picture's footprint", "object"),
+        ("thin red: those of", "object"),
+        ("the first line", "object"),
+        ("blue: flight", "camera"),
+        ("black: the area", "ink"),
+        ("dashed grey: edge", "guide"),
+        ("of the pit, and heap", "guide"),
+    )
     return (
         *PLAN.ticks((0, 50, 100, 150, 200, 250), (50, 100, 150, 200)),
         *PLAN.names("east (m)", "north (m)"),
         Label("seen in pictures", (514, 46)),
         *keys,
-        Label("dashed red: first", (514, 220), "object"),
-        Label("picture's footprint", (514, 236), "object"),
-        Label("blue: flight", (514, 262), "camera"),
-        Label("black: the area", (514, 288)),
-        Label("dashed grey: edge", (514, 314), "guide"),
-        Label("of the pit, and heap", (514, 330), "guide"),
+        *(Label(text, (514, 236 + 17 * i), role) for i, (text, role) in enumerate(rows)),
     )
 
 
-def _picture(seen: NDArray[np.intp]) -> Pixels:
-    """Return the colours of the counts over the map, beside their scale, on white."""
+def _picture(counted: Counted, footprints: Floats) -> Pixels:
+    """Return the colours of the counts over the map, beside their scale, on white.
+
+    `footprints` are the two ends of each of their edges, (M, 2, 2), px.
+    """
     import cv2
 
     picture = np.array(_paper())
     left, right, top, bottom = (int(end) for end in PLAN.box)
+    step = np.where(counted.hidden, len(STEPS), np.digitize(counted.shown, STEPS) - 1)
     shape = round(EXTENT[1] / CELL), round(EXTENT[0] / CELL)
-    colours = _table()[np.digitize(seen, STEPS) - 1].reshape(*shape, 3)
-    size = (right - left, bottom - top)
-    picture[top:bottom, left:right] = cv2.resize(colours, size, interpolation=cv2.INTER_NEAREST)
+    colours = _table()[step].reshape(*shape, 3)
+    size = right - left, bottom - top
+    map_ = cv2.resize(colours, size, interpolation=cv2.INTER_NEAREST)
+    if counted.partly_hidden.any():
+        seen_by_all = np.where(counted.partly_hidden, 0, 255).astype(np.uint8).reshape(shape)
+        paper = cv2.resize(seen_by_all, size, interpolation=cv2.INTER_NEAREST) | _hatching()
+        map_ = cv2.bitwise_and(map_, map_, mask=paper)
+    ends = np.rint(16 * (footprints - (left, top))).astype(np.int32)
+    lines = map_.copy()
+    cv2.polylines(lines, list(ends), False, rgb(ROLES["object"]), 1, cv2.LINE_AA, shift=4)
+    picture[top:bottom, left:right] = cv2.addWeighted(map_, 0.35, lines, 0.65, 0)
     return picture
 
 
 @cache
+def _hatching() -> NDArray[np.uint8]:
+    """Return the map's paper, 255, with thin slanted strokes of ink, 0."""
+    left, right, top, bottom = (int(end) for end in PLAN.box)
+    stroke = np.add.outer(np.arange(bottom - top), np.arange(right - left)) % 5 == 0
+    return np.where(stroke, 0, 255).astype(np.uint8)
+
+
+@cache
 def _table() -> Pixels:
-    return np.array([rgb(colour) for colour in COLOURS], np.uint8)
+    """Return the colours of the classes, the last one for what is hidden."""
+    return np.array([rgb(colour) for colour in (*COLOURS, ROLES["second"])], np.uint8)
 
 
 @cache
@@ -225,7 +257,3 @@ def _paper() -> Pixels:
         paper[62 + 26 * i : 78 + 26 * i, 514:532] = 118
         paper[63 + 26 * i : 77 + 26 * i, 515:531] = colour
     return paper
-
-
-START = tuple(AREA)
-CAMERAS = tuple(DRONES)

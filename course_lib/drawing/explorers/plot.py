@@ -60,6 +60,38 @@ class Plot:
         u, v = self.pixels(x, y)[0]
         return float(u) + right, float(v) + down
 
+    def within(self, segments: ArrayLike) -> Floats:
+        """Return the parts of straight segments that lie inside of linear axes.
+
+        Parameters
+        ----------
+        segments : array_like, shape (N, 2, 2)
+            Both ends of each, in the units of the axes.
+
+        Returns
+        -------
+        ndarray, shape (M, 2, 2)
+            Both ends of the parts, px; M ≤ N.
+
+        References
+        ----------
+        Y.-D. Liang, B. A. Barsky, "A new concept and method for line clipping", ACM Transactions
+        on Graphics 3 (1984).
+        """
+        (low, high), ends = np.array([self.x, self.y]).T, np.asarray(segments, dtype=float)
+        start, way = ends[:, 0], ends[:, 1] - ends[:, 0]
+        way = np.where(way == 0, 1e-300, way)
+        with np.errstate(over="ignore"):
+            sides = np.stack([(low - start) / way, (high - start) / way])
+        enter = sides.min(axis=0).max(axis=1, initial=0.0)
+        leave = sides.max(axis=0).min(axis=1, initial=1.0)
+        some = enter < leave
+        shares = np.stack([enter, leave], axis=1)[some, :, None]
+        parts = start[some, None] + shares * way[some, None]
+        left, right, top, bottom = self.box
+        size = np.array([right - left, top - bottom])
+        return np.asarray(np.array([left, bottom]) + (parts - low) / (high - low) * size)
+
     def frame(self) -> Line:
         """Return the two axes."""
         left, right, top, bottom = self.box
@@ -89,6 +121,13 @@ def share(values: ArrayLike, ends: tuple[float, float], logarithmic: bool) -> Fl
         return np.asarray((numbers - low) / (high - low))
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray(np.log(numbers / low) / np.log(high / low))
+
+
+def lifted(lines: ArrayLike) -> Floats:
+    """Return lines of K points each, (N, K, 2), as one that lifts its pen, (N (K + 1), 2)."""
+    points = np.asarray(lines, dtype=float)
+    pen = np.full((len(points), 1, 2), np.nan)
+    return np.asarray(np.concatenate([points, pen], axis=1).reshape(-1, 2))
 
 
 def crosses(places: ArrayLike, size: float) -> Floats:

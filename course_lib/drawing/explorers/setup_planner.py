@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Iterable, Mapping
 from functools import cache
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from course_lib.camera import Camera
 from course_lib.drawing.explorers.frame import Frame, Label, Line, Picture, Readout
+from course_lib.drawing.explorers.plot import lifted
 from course_lib.drawing.planning.choosing import shown
 from course_lib.drawing.planning.panel import BOX, TASK, close_up, overview, stand
 from course_lib.planning import (
@@ -28,7 +30,9 @@ Pixels = NDArray[np.uint8]
 VIEW_SIZE, PIXELS_SIZE, TABLE_SIZE = (320, 320), (148, 320), (470, 320)
 SIDE, TIMES = 46, 3  # px of a close-up, and by how much it is enlarged
 TOPS = (20, 180)  # px: where the close-ups begin
+TABLE = "Verdicts, and why or what would help"
 ROW = 31  # px: height of a row of the table
+MOST = 9  # names of lenses that the table has room for
 #: Demands whose number must not be smaller than the limit; the others', not larger.
 AT_LEAST = ("in view", "closest focus", "image circle", "frame rate", "light")
 
@@ -37,8 +41,7 @@ AT_LEAST = ("in view", "closest focus", "image circle", "frame rate", "light")
 def cameras() -> dict[str, CameraModel]:
     """Return the cameras of the catalogue that stand on the ground, by a short name."""
     flying = ("Phantom 4 RTK", "DJI DL")
-    found = (c for c in read_cameras().values() if c.mount not in flying)
-    return {c.name.partition(",")[0]: c for c in found}
+    return short_names(c for c in read_cameras().values() if c.mount not in flying)
 
 
 @cache
@@ -48,13 +51,28 @@ def lenses() -> dict[str, LensModel]:
     return {name: lens for name, lens in read_lenses().items() if lens.mount in mounts}
 
 
-def setup_frame(camera: str, lens: str, Z: float, turn_deg: float, N: float, t: float) -> Frame:
+def short_names(given: Iterable[CameraModel]) -> dict[str, CameraModel]:
+    """Return cameras by what stands before the first comma in their names."""
+    return {camera.name.partition(",")[0]: camera for camera in given}
+
+
+def setup_frame(
+    camera: str,
+    lens: str,
+    Z: float,
+    turn_deg: float,
+    N: float,
+    t: float,
+    *,
+    bodies: Mapping[str, CameraModel] | None = None,
+    glasses: Mapping[str, LensModel] | None = None,
+) -> Frame:
     """Return what a pair of cameras sees of the panel, and the verdicts on it.
 
     Parameters
     ----------
     camera, lens : str
-        Names of the catalogue.
+        Their names.
     Z : float
         Distance from the middle of the box, m.
     turn_deg : float
@@ -63,15 +81,19 @@ def setup_frame(camera: str, lens: str, Z: float, turn_deg: float, N: float, t: 
         f-number; the lens's nearest if it has none so small or so large.
     t : float
         Exposure time, µs.
+    bodies, glasses : mapping, optional
+        All cameras and lenses by name; those of the catalogue unless given.
 
     Returns
     -------
     Frame
         The right camera's picture, pixels of it, and a table of verdicts.
     """
-    body, glass = cameras()[camera], lenses()[lens]
+    bodies, glasses = bodies or cameras(), glasses or lenses()
+    body, glass = bodies[camera], glasses[lens]
     if body.mount != glass.mount:
-        return _does_not_fit(body, glass)
+        fitting = [name for name, other in glasses.items() if other.mount == body.mount]
+        return _does_not_fit(camera, body.mount, glass, fitting)
     N = float(np.clip(N, glass.N_least, glass.N_most))
     turn = np.radians(turn_deg)
     one, other = (stand(body, glass, Z, side * turn, N, t / 1e6) for side in (1, -1))
@@ -107,8 +129,7 @@ def _outline(camera: Camera) -> Floats:
     points = camera.project(BOX.with_motion(TASK.motion).outline).reshape(12, -1, 2)
     limit = np.array(camera.image_size) - 0.5
     points[((points < -0.5) | (points > limit)).any(axis=-1)] = np.nan
-    lifted = np.concatenate([points, np.full((12, 1, 2), np.nan)], axis=1)
-    return np.asarray(lifted.reshape(-1, 2))
+    return lifted(points)
 
 
 def _pixels(setup: Setup) -> Picture:
@@ -131,48 +152,60 @@ def _pixels(setup: Setup) -> Picture:
 
 
 def _table(verdicts: list[Verdict]) -> Picture:
-    """Return the verdicts, with what would help where a demand is not met."""
+    """Return the verdicts, each with its reason, or with what would help if it is not met."""
     labels: list[Label] = []
     for number, verdict in enumerate(verdicts):
         labels += _row(verdict, 10 + ROW * number)
     missed = [verdict.name for verdict in verdicts if not verdict.met]
     words = f"not met: {', '.join(missed)}" if missed else "all demands are met"
-    told = "; ".join(f"{v.name} {shown(v.value)} {v.unit}" for v in verdicts)
+    told = " ".join(map(_in_words, verdicts))
     return Picture(
-        "Verdicts, and what would help",
-        f"Table of {len(verdicts)} demands; {words}. {told}.",
+        TABLE,
+        f"Table of {len(verdicts)} demands; {words}. {told}",
         TABLE_SIZE,
         labels=tuple(labels),
     )
 
 
 def _row(verdict: Verdict, v: float) -> list[Label]:
-    """Return a demand, its number, its limit, and the remedy below."""
-    role = "image" if verdict.met else "object"
-    unit, bound = verdict.unit, "at least" if verdict.name in AT_LEAST else "at most"
-    found = [
+    """Return a demand, its number and its limit; below, why it is met or what would help."""
+    role, below = ("image", "guide") if verdict.met else ("object", "object")
+    why = verdict.reason if verdict.met else verdict.remedy
+    return [
         Label("✓" if verdict.met else "✗", (4, v), role),
         Label(verdict.name, (22, v), role),
-        Label(f"{shown(verdict.value)} {unit}", (150, v)),
-        Label(f"{bound} {shown(verdict.limit)} {unit}", (256, v), "guide"),
+        Label(f"{shown(verdict.value)} {verdict.unit}", (150, v)),
+        Label(_limit(verdict), (256, v), "guide"),
+        Label(textwrap.shorten(why, 76, placeholder=" …"), (22, v + 13), below),
     ]
-    short = textwrap.shorten(verdict.remedy, 76, placeholder=" …")
-    return [*found, *([Label(short, (22, v + 13), "object")] if short else [])]
 
 
-def _does_not_fit(body: CameraModel, glass: LensModel) -> Frame:
-    """Return a frame that says why there is no picture."""
-    short = body.name.partition(",")[0]
-    words = f"{glass.name} has the mount {glass.mount}, {short} has {body.mount}"
-    fitting = [name for name, lens in lenses().items() if lens.mount == body.mount]
+def _limit(verdict: Verdict) -> str:
+    """Return what a demand asks for."""
+    bound = "at least" if verdict.name in AT_LEAST else "at most"
+    return f"{bound} {shown(verdict.limit)} {verdict.unit}"
+
+
+def _in_words(verdict: Verdict) -> str:
+    """Return a verdict in sentences: number and limit, why, and what would help."""
+    met = "met" if verdict.met else "not met"
+    number = f"{verdict.name}: {shown(verdict.value)} {verdict.unit}, {_limit(verdict)}, {met}."
+    return f"{number[0].upper()}{number[1:]} {verdict.reason} {verdict.remedy}".rstrip()
+
+
+def _does_not_fit(camera: str, mount: str, glass: LensModel, fitting: list[str]) -> Frame:
+    """Return a frame that says why there is no picture, and which lenses would fit."""
+    words = f"{glass.name} has the mount {glass.mount}, {camera} has {mount}"
     table = [Label("This lens does not fit:", (4, 20), "object")]
     table += [Label(line, (22, 42 + 20 * i)) for i, line in enumerate(words.split(", ", 1))]
     table += [Label("These lenses fit this camera:", (4, 106))]
-    table += [Label(name, (22, 128 + 20 * i)) for i, name in enumerate(fitting)]
+    names = fitting or ["none"]
+    table += [Label(name, (22, 128 + 20 * i)) for i, name in enumerate(names[:MOST])]
     empty = f"No picture: {words}."
+    told = f"{empty} These lenses fit this camera: {', '.join(names)}."
     pictures = (
         Picture("Through the right camera", empty, VIEW_SIZE),
         Picture("Pixel by pixel", empty, PIXELS_SIZE),
-        Picture("Verdicts, and what would help", empty, TABLE_SIZE, labels=tuple(table)),
+        Picture(TABLE, told, TABLE_SIZE, labels=tuple(table)),
     )
     return Frame(pictures, (Readout("No set-up", "", "the lens does not fit the camera"),))

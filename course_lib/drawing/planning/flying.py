@@ -124,9 +124,11 @@ def flight_map(plan: FlightPlan | None = None) -> Figure:
     ax.plot(x, y, ".", color=ROLES["camera"], ms=5, label="picture")
     around = np.vstack([plan.polygon, plan.polygon[:1]])
     ax.plot(*around.T, color=BLACK, lw=1.5, label="area")
-    first = plan.footprints()[0]
-    ax.plot(*np.vstack([first, first[:1]]).T, "--", color=ROLES["object"], lw=1.5)
-    ax.plot([], [], "--", color=ROLES["object"], lw=1.5, label="first picture's footprint")
+    first, *others = (np.vstack([f, f[:1]]) for f in plan.footprints()[plan.strips == 0])
+    look: dict[str, Any] = {"color": ROLES["object"]}
+    ax.plot(*first.T, "--", **look, lw=1.5, label="first picture's footprint, and its line's")
+    for footprint in others:
+        ax.plot(*footprint.T, **look, lw=0.4)
     ax.set(xlabel="east (m)", ylabel="north (m)", aspect="equal")
     ax.set(xlim=(-60, EXTENT[0] + 35), ylim=(-25, EXTENT[1] + 20))
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, fontsize=10)

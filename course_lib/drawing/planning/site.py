@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -12,6 +14,7 @@ from course_lib.planning.catalogue import CameraModel
 from course_lib.planning.strips import inside_polygon
 
 Floats = NDArray[np.float64]
+Drone = tuple[CameraModel, LensModel]
 
 #: The area of the text: corners, east and north, m.
 AREA = ((30.0, 30.0), (270.0, 30.0), (270.0, 180.0), (30.0, 210.0))
@@ -24,6 +27,7 @@ DRONES = {
     "DJI Phantom 4 RTK": "Phantom 4 RTK lens",
     "DJI Zenmuse P1": "DJI DL 35 mm F2.8 LS ASPH",
 }
+ENOUGH = 2  # pictures that a height needs
 AZIMUTHS = np.arange(0, 360, 10)  # degrees: in which horizons are looked up
 REACH = np.concatenate([np.arange(1.0, 20, 1.0), np.geomspace(20, 140, 20)])  # m: how far
 
@@ -37,9 +41,32 @@ def ground(x: ArrayLike, y: ArrayLike) -> Floats:
     return np.asarray(heap - DEPTH * np.clip(within, 0, 1))
 
 
-def drone(name: str = "DJI Phantom 4 RTK") -> tuple[CameraModel, LensModel]:
+@cache
+def drones() -> dict[str, Drone]:
+    """Return the flying cameras of the catalogue, each with its lens, by name."""
+    cameras, lenses = read_cameras(), read_lenses()
+    return {camera: (cameras[camera], lenses[lens]) for camera, lens in DRONES.items()}
+
+
+def drone(name: str = "DJI Phantom 4 RTK") -> Drone:
     """Return a flying camera of the catalogue, and its lens."""
-    return read_cameras()[name], read_lenses()[DRONES[name]]
+    return drones()[name]
+
+
+def with_lenses(
+    cameras: Mapping[str, CameraModel], lenses: Mapping[str, LensModel]
+) -> dict[str, Drone]:
+    """Return cameras with the first lens that fits each, of these or else of the catalogue."""
+    found = {}
+    for name, camera in cameras.items():
+        several = [*lenses.values(), *read_lenses().values()]
+        fitting = [lens for lens in several if lens.mount == camera.mount]
+        if not fitting:
+            raise ValueError(
+                f"{name} has the mount {camera.mount!r}, and no lens has it: give its lens, too"
+            )
+        found[name] = camera, fitting[0]
+    return found
 
 
 def flight(
@@ -48,10 +75,10 @@ def flight(
     side: float = 0.6,
     heading: float = np.pi / 2,
     area: ArrayLike = AREA,
-    name: str = "DJI Phantom 4 RTK",
+    flying: Drone | None = None,
 ) -> FlightPlan:
     """Return a flight over the pit, by default that of the text: strips from west to east."""
-    return plan_flight(area, *drone(name), gsd, forward, side, heading)
+    return plan_flight(area, *(flying or drone()), gsd, forward, side, heading)
 
 
 @cache
@@ -78,8 +105,50 @@ def horizons() -> Floats:
     return np.concatenate([highest, highest[:, :1]], axis=1)
 
 
+@dataclass(frozen=True, eq=False)
+class Counted:
+    """How many pictures show each place of the grid.
+
+    Attributes
+    ----------
+    shown, covered : ndarray of int, shape (N,)
+        Pictures that show it, and that have it in their frame.
+    inside : ndarray of bool, shape (N,)
+        Whether it lies in the area.
+    """
+
+    shown: NDArray[np.intp]
+    covered: NDArray[np.intp]
+    inside: NDArray[np.bool_]
+
+    @property
+    def least(self) -> int:
+        """Fewest pictures of a place in the area; 0 if no place of the grid is in it."""
+        return int(self.shown[self.inside].min()) if self.inside.any() else 0
+
+    @property
+    def partly_hidden(self) -> NDArray[np.bool_]:
+        """Where ground stands before a place in at least one picture."""
+        return self.shown < self.covered
+
+    @property
+    def hidden(self) -> NDArray[np.bool_]:
+        """Where only this leaves fewer than two pictures."""
+        return (self.shown < ENOUGH) & (self.covered >= ENOUGH)
+
+    def percent(self, where: NDArray[np.bool_]) -> float:
+        """Return which part of the area some places are, %."""
+        all_ = np.count_nonzero(self.inside)
+        return 100 * np.count_nonzero(where & self.inside) / all_ if all_ else 0.0
+
+
 def counts(plan: FlightPlan, hilly: bool = True) -> NDArray[np.intp]:
-    """Return how many pictures show each place of the grid.
+    """Return how many pictures show each place of the grid, as `count_places` does."""
+    return count_places(plan, hilly).shown
+
+
+def count_places(plan: FlightPlan, hilly: bool = True) -> Counted:
+    """Count the pictures that show each place of the grid.
 
     Parameters
     ----------
@@ -90,15 +159,16 @@ def counts(plan: FlightPlan, hilly: bool = True) -> NDArray[np.intp]:
 
     Returns
     -------
-    ndarray of int, shape (N,)
+    Counted
         Quicker than `course_lib.planning.views_of_ground`: horizons are looked up.
     """
     points = grid() if hilly else grid() * [1, 1, 0]
     seen, number = in_footprints(plan, points)
+    shown = covered = np.bincount(number, minlength=len(points))
     if hilly:
         free = _free(points, plan.centres, seen, number)
-        number = number[free]
-    return np.bincount(number, minlength=len(points))
+        shown = np.bincount(number[free], minlength=len(points))
+    return Counted(shown, covered, in_area(plan.polygon))
 
 
 def in_footprints(plan: FlightPlan, points: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
