@@ -1,0 +1,14 @@
+"""The catalogue of what a submission may try: each with what it must get."""
+
+from attacks.attack import RIGHT, Attack
+from attacks.forgeries import FORGERIES
+from attacks.hunger import MEMORY, SPACE, TIME
+from attacks.leaks import LEAKS
+from attacks.outside import OUTSIDE
+from attacks.processes import PROCESSES
+from attacks.values import VALUES
+
+#: Harm to the machine, the grader or others.
+HARM = PROCESSES | MEMORY | SPACE | TIME
+
+__all__ = ["FORGERIES", "HARM", "LEAKS", "OUTSIDE", "RIGHT", "VALUES", "Attack"]
