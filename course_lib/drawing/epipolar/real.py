@@ -95,7 +95,7 @@ def _enlarge(ax: Axes, points: Floats) -> None:
 
 @figure(
     "A picture with a stroke from each tie point to where its partner is in the other picture: "
-    "green where the pair is right or accepted, orange where not."
+    "green where the pair is right or accepted, red where not."
 )
 def strokes(
     picture: NDArray[np.uint8],

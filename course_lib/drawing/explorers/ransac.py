@@ -115,7 +115,7 @@ def _pairs(all_draws: Drawn, number: int, agree: NDArray[np.bool_], title: str) 
     return Picture(
         title,
         f"The left picture with a stroke from each of {PAIRS} points to where its partner is in "
-        f"the right one. {int(agree.sum())} pairs agree (green), the others do not (orange). "
+        f"the right one. {int(agree.sum())} pairs agree (green), the others do not (red). "
         "Rings: the eight pairs of the sample.",
         SIZE,
         photographs(TOWARDS, WIDTH)[0],

@@ -193,7 +193,7 @@ def dense_errors() -> Figure:
     grey[np.isnan(found)] = _rgb("camera")
     grey[np.abs(off) > BAD] = _rgb("object")
     ax.imshow(grey)
-    ax.set(xticks=[], yticks=[], title="orange: over 2 px off, blue: no answer")
+    ax.set(xticks=[], yticks=[], title="red: over 2 px off, blue: no answer")
     bars.hist(off[np.isfinite(off)], np.arange(-4, 4.01, 0.125), color=ROLES["image"], lw=0)
     bars.axvspan(-BAD, BAD, color=ROLES["guide"], alpha=0.12, lw=0)
     bars.set(xlabel="error of the disparity (px)", yticks=[], xlim=(-4, 4), title="errors")
