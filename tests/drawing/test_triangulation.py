@@ -30,6 +30,7 @@ FIGURES = {
     "methods_compared": draw.methods_compared,
     "more_cameras": draw.more_cameras,
     "point_cloud": draw.point_cloud,
+    "structured_light": draw.structured_light,
     "two_rays": lambda: draw.two_rays(CLOSEST),
     "two_rays far": lambda: draw.two_rays((CLOSEST[0], 100 * CLOSEST[1])),
     "disparity_and_depth far": lambda: draw.disparity_and_depth([2523.9, 1.0]),
@@ -155,6 +156,22 @@ def test_the_laser_line_is_measured_where_the_rail_is():
     assert written(draw.laser_profile().axes[-1]) == ["no answer yet"]
     some = np.where(np.arange(len(MET))[:, None] > 5, MET, np.nan)
     assert written(draw.laser_profile(some).axes[-1]) == ["yours: not all are here"]
+
+
+def test_patterns_number_the_planes_of_light():
+    lights, numbers = plane.lit_by(), np.arange(8)
+    np.testing.assert_array_equal(lights[0] * 4 + lights[1] * 2 + lights[2], numbers)
+    assert lights[:, plane.PICKED].tolist() == [True, False, True]
+    on_box = [False] * 3 + [True] * 4 + [False]
+    places = plane.places_of_planes()
+    np.testing.assert_allclose(places[:, 1], np.where(on_box, 4.4, 6.0))
+    # No plane is met behind the box, and the camera sees where the marked one ends.
+    corner = plane.SURFACE[3]
+    assert places[7, 0] > corner[0]
+    plan, patterns = draw.structured_light().axes
+    ends = [line.get_xydata()[-1] for line in plan.lines if len(line.get_xydata()) == 2]
+    np.testing.assert_allclose(ends, [*places, places[plane.PICKED]])
+    assert [text for text in written(patterns) if text in ("0", "1")][:3] == ["1", "0", "1"]
 
 
 def test_the_marks_are_where_the_truth_says():

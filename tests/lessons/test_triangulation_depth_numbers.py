@@ -210,6 +210,14 @@ def test_the_plane_of_light():
     )
 
 
+def test_three_patterns_number_eight_planes():
+    lights = plane.lit_by()
+    assert lights.shape == (3, 8)
+    assert lights[:, 5].tolist() == [True, False, True]
+    assert int("101", 2) == plane.PICKED == 5
+    says("saw light, dark, light", "$4 + 0 + 1 = 5$", "tell 8 planes apart", "$2^{10} = 1024$")
+
+
 def test_dense_stereo():
     how = dense.judged()
     assert (100 * how["found"], 100 * how["bad"]) == (about(87, 0), about(6.2, 1))

@@ -11,7 +11,7 @@ from course_lib.drawing.triangulation.dense import (
 from course_lib.drawing.triangulation.disparity import disparity_and_depth
 from course_lib.drawing.triangulation.methods import methods_compared, more_cameras
 from course_lib.drawing.triangulation.pair import marked_pair, motorcycle
-from course_lib.drawing.triangulation.plane import laser_line, laser_profile
+from course_lib.drawing.triangulation.plane import laser_line, laser_profile, structured_light
 from course_lib.drawing.triangulation.rays import two_rays
 from course_lib.drawing.triangulation.uncertainty import cloud, depth_curves
 
@@ -29,5 +29,6 @@ __all__ = [
     "more_cameras",
     "motorcycle",
     "point_cloud",
+    "structured_light",
     "two_rays",
 ]

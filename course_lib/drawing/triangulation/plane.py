@@ -1,4 +1,4 @@
-"""A laser line on a thing: the scene that a student's ray and plane measure."""
+"""Planes of light: a laser line on a thing, which a student's ray and plane measure; many."""
 
 from __future__ import annotations
 
@@ -35,6 +35,10 @@ PLANE = np.array([0.0, 1.0, 0.0, 0.0])
 HALF_FOOT, HALF_TOP, HEIGHT = 30.0, 18.0, 12.0
 GROOVE, DEPTH = 5.0, 4.0
 NOISE = 0.2  # px
+#: Structured light from above: a projector and a camera before a wall with a box.
+PROJECTOR, OBSERVER = np.array([-1.5, 0.0]), np.array([2.2, 0.0])
+SURFACE = np.array([(-3.4, 6.0), (-1.0, 6), (-1.0, 4.4), (1.5, 4.4), (1.5, 6), (3.4, 6)])
+PATTERNS, PICKED = 3, 5
 PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
 
 
@@ -156,3 +160,83 @@ def _rail(ax: Axes, camera: Camera) -> None:
     for x in (-HALF_FOOT, -HALF_TOP, -GROOVE, GROOVE, HALF_TOP, HALF_FOOT):
         z = 0.0 if abs(x) == HALF_FOOT else HEIGHT
         ax.plot(*camera.project([[x, -60, z], [x, 60, z]]).T, color=ROLES["guide"], lw=1)
+
+
+def lit_by() -> NDArray[np.bool_]:
+    """Return which planes each pattern lights, (patterns, planes): the digits of their numbers."""
+    numbers = np.arange(2**PATTERNS)
+    return np.asarray(numbers >> np.arange(PATTERNS)[::-1, None] & 1, dtype=bool)
+
+
+def places_of_planes() -> Floats:
+    """Return where the projector's planes first meet the surface, seen from above, shape (8, 2)."""
+    aims = np.linspace(-3.2, 3.2, 2 ** (PATTERNS + 1) + 1)[1::2]
+    directions = np.column_stack([aims, np.full_like(aims, 6.0)]) - PROJECTOR
+    away, edges = SURFACE[:-1] - PROJECTOR, np.diff(SURFACE, axis=0)
+    # PROJECTOR + λ d = corner + μ edge: crossed with the edge λ is left, crossed with d μ.
+    across = _cross(directions[:, None], edges)
+    reach, along = _cross(away, edges) / across, _cross(away, directions[:, None]) / across
+    first = np.where((along >= 0) & (along <= 1) & (reach > 0), reach, np.inf).min(axis=1)
+    return np.asarray(PROJECTOR + first[:, None] * directions)
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
+
+
+@figure(
+    "Left, from above: a projector sends eight numbered planes of light to a wall with a box "
+    "before it; a camera's ray ends where plane 5 meets the box. Right: three striped patterns; "
+    "plane 5 is light, dark, light."
+)
+def structured_light() -> Figure:
+    """Show how patterns number the planes of light, and which one a pixel sees.
+
+    Returns
+    -------
+    Figure
+        Projector, camera and planes from above, and the patterns.
+    """
+    fig, (plan, patterns) = panels(1, 2, (FULL_WIDTH, 3.4), width_ratios=(1.1, 1))
+    _planes(sketch(plan, "from above"))
+    _patterns(sketch(patterns, "what the projector shows"))
+    return fig
+
+
+def _planes(ax: Axes) -> None:
+    stroke(ax, SURFACE, "guide", lw=3)
+    for number, place in enumerate(places_of_planes()):
+        picked = number == PICKED
+        stroke(ax, [PROJECTOR, place], "object", lw=2.5 if picked else 0.8)
+        beyond = 0.35 * (place - PROJECTOR) / np.linalg.norm(place - PROJECTOR)
+        write(ax, place + beyond, f"{number}", "object", fontsize=10)
+    stroke(ax, [OBSERVER, places_of_planes()[PICKED]], "ray", lw=1.8)
+    ax.plot(*PROJECTOR, "v", color=ROLES["object"], ms=11)
+    ax.plot(*OBSERVER, "s", color=ROLES["camera"], ms=10)
+    write(ax, PROJECTOR - (0, 0.55), "projector", "object", fontsize=10)
+    write(ax, OBSERVER - (0, 0.55), "camera", "camera", fontsize=10)
+    fit(ax, -3.6, 3.6, -0.9, 6.7)
+
+
+def _patterns(ax: Axes) -> None:
+    for row, lights in enumerate(lit_by()):
+        low = PATTERNS - 1 - row
+        ax.pcolormesh(
+            np.arange(len(lights) + 1),
+            [low, low + 0.75],
+            [lights],
+            cmap="gray",
+            vmin=-0.4,
+            vmax=1,
+            edgecolors=ROLES["guide"],
+            lw=0.5,
+        )
+        write(ax, (-1.3, low + 0.37), f"pattern {row + 1}", fontsize=10)
+        write(ax, (8.5, low + 0.37), f"{lights[PICKED]:d}", "object", fontsize=12)
+    for number in range(2**PATTERNS):
+        write(ax, (number + 0.5, -0.3), f"{number}", "object", fontsize=10)
+    u, v = np.array([0, 1, 1, 0, 0]) + PICKED, np.array([-0.55, -0.55, 2.85, 2.85, -0.55])
+    stroke(ax, np.column_stack([u, v]), "object", lw=2.5)
+    write(ax, (4, -0.85), "number of the plane", fontsize=10)
+    ax.set_aspect("auto")
+    fit(ax, -2.5, 9, -1.1, 3.0)
