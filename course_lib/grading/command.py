@@ -17,7 +17,7 @@ from course_lib.grading.one import Graded
 from course_lib.grading.recording import Recorder, is_graded, read_record
 from course_lib.grading.summary import Progress, Summary
 from course_lib.grading.workers import Manner, grade_all
-from course_lib.sandbox.limits import Allowance
+from course_lib.sandbox.limits import allowance_for
 
 
 def grade(options: argparse.Namespace) -> int:
@@ -29,7 +29,7 @@ def grade(options: argparse.Namespace) -> int:
         raise ValueError("name an assignment, e.g. course grade 01_pinhole")
     assignment = read_assignment(options.term, options.assignment)
     isolation: Isolation = options.isolation or assignment.isolation  # type: ignore[assignment]
-    manner = Manner(isolation, _allowance(assignment))
+    manner = Manner(isolation, allowance_for(assignment.cell_seconds))
     if not options.scheduler:  # the workers of a cluster look for themselves
         demand(manner.isolation)
     if manner.isolation == "none":
@@ -42,10 +42,6 @@ def grade(options: argparse.Namespace) -> int:
         summary.count(read_record(assignment, student), new=False)
     print(summary.text(assignment))
     return 1 if summary.troubles else 0
-
-
-def _allowance(assignment: Assignment) -> Allowance:
-    return Allowance(cell_seconds=assignment.cell_seconds)
 
 
 def _choose(

@@ -14,7 +14,7 @@ from course_lib.grading.marking import mark
 from course_lib.grading.outside import Submitted
 from course_lib.grading.seeding import grading_seed, read_key
 from course_lib.grading.submissions import files_beside, given_cells
-from course_lib.sandbox.limits import Allowance
+from course_lib.sandbox.limits import allowance_for
 
 
 class AnswerOutside(NbGraderPreprocessor):  # type: ignore[misc]
@@ -26,7 +26,7 @@ class AnswerOutside(NbGraderPreprocessor):  # type: ignore[misc]
         default_value="bubblewrap",
         help="How students' code is kept away from yours; 'none' lets it do what you can do.",
     ).tag(config=True)
-    cell_seconds = Float(30.0, help="What one cell of a notebook may take.").tag(config=True)
+    cell_seconds = Float(30.0, help="What one cell may compute.").tag(config=True)
 
     def preprocess(
         self, nb: NotebookNode, resources: dict[str, Any]
@@ -37,7 +37,7 @@ class AnswerOutside(NbGraderPreprocessor):  # type: ignore[misc]
         root = Path(self.key_file).parent
         given = given_cells(root / "release" / who["assignment"] / f"{who['notebook']}.ipynb")
         folder = Path(str(resources.get("metadata", {}).get("path") or "."))
-        judge = kept_judge(self.isolation, Allowance(cell_seconds=self.cell_seconds))
+        judge = kept_judge(self.isolation, allowance_for(self.cell_seconds))
         outcome = judge.judge(Submitted(nb, seed, given, files_beside(folder)))
         if outcome.reason:
             self.log.warning("The submission of %s ended early: %s", who["student"], outcome.reason)

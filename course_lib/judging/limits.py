@@ -7,13 +7,16 @@ import io
 import signal
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
+
+#: Seconds after which a time that is over is said again.
+AGAIN = 0.05
 
 
 class TimeLimitReached(BaseException):
@@ -60,65 +63,112 @@ class BoundedText(io.TextIOBase):
         return "".join(self._parts) + (" … (more was printed)" if self._room <= 0 else "")
 
 
+class Bell:
+    """Whether the time of a `time_limit` is over."""
+
+    rang = False
+
+
 @contextmanager
-def time_limit(seconds: float) -> Iterator[None]:
+def time_limit(seconds: float, by_clock: float | None = None) -> Iterator[Bell]:
     """Raise `TimeLimitReached` inside the ``with`` block after some seconds.
 
     With POSIX signals in the main thread, sleeping and waiting are interrupted too; elsewhere
     (Windows, other threads) the running Python code is. The exception comes again and again, so
-    that a bare ``except:`` in a loop does not swallow it for good.
+    that a bare ``except:`` in a loop does not swallow it for good. One limit may stand inside
+    another.
+
+    Parameters
+    ----------
+    seconds : float
+        What the block may take: by the clock, or, if there is `by_clock`, of the processor, so
+        that a busy machine takes nothing away. Without POSIX signals it is the clock always.
+    by_clock : float, optional
+        What it may take by the clock in any case, for a block that waits without computing.
+
+    Yields
+    ------
+    Bell
+        Says whether the time is over, for code that may have swallowed the exception.
     """
+    bell = Bell()
     main = threading.current_thread() is threading.main_thread()
-    by_signal = main and hasattr(signal, "setitimer")
-    with _alarm(seconds) if by_signal else _watchdog(seconds):
-        yield
+    if not (main and hasattr(signal, "setitimer")):
+        with _watchdog(seconds if by_clock is None else by_clock, bell):
+            yield bell
+    elif by_clock is None:
+        with _alarm(_CLOCK, seconds, bell):
+            yield bell
+    else:
+        with _alarm(_CLOCK, by_clock, bell), _alarm(_PROCESSOR, seconds, bell):
+            yield bell
+
+
+class _Timer(NamedTuple):
+    """A timer of the system: its name, that of its signal, and what it counts."""
+
+    name: str
+    signal: str
+    now: Callable[[], float]
+
+
+_CLOCK = _Timer("ITIMER_REAL", "SIGALRM", time.monotonic)
+_PROCESSOR = _Timer("ITIMER_PROF", "SIGPROF", time.process_time)
 
 
 @contextmanager
-def _alarm(seconds: float) -> Iterator[None]:
-    def ring(signum: int, frame: FrameType | None) -> None:
-        raise TimeLimitReached
+def _alarm(timer: _Timer, seconds: float, bell: Bell) -> Iterator[None]:
+    which, number = getattr(signal, timer.name), getattr(signal, timer.signal)
+    over = False
 
-    before = signal.signal(signal.SIGALRM, ring)
+    def ring(signum: int, frame: FrameType | None) -> None:
+        if not over:
+            bell.rang = True
+            raise TimeLimitReached
+
+    before, start = signal.signal(number, ring), timer.now()
+    outer, interval = signal.setitimer(which, seconds, AGAIN)
     try:
-        signal.setitimer(signal.ITIMER_REAL, seconds, 0.05)
+        if 0 < outer < seconds:
+            signal.setitimer(which, outer, AGAIN)
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        over = True  # before all else, so that no ring gets into it
+        signal.setitimer(which, 0)
+        signal.signal(number, before)
+        if outer:  # a limit around this one goes on
+            signal.setitimer(which, max(outer - (timer.now() - start), 0.001), interval)
 
 
 @contextmanager
-def _watchdog(seconds: float) -> Iterator[None]:
+def _watchdog(seconds: float, bell: Bell) -> Iterator[None]:
     thread = threading.get_ident()
-    over, turn, rang = threading.Event(), threading.Lock(), threading.Event()
+    over, turn = threading.Event(), threading.Lock()
 
     def watch() -> None:
         wait = seconds
         while not over.wait(wait):
             with turn:
                 if not over.is_set():
-                    rang.set()
+                    bell.rang = True
                     _raise_in(thread)
-            wait = 0.05
+            wait = AGAIN
 
     threading.Thread(target=watch, daemon=True).start()
     try:
         yield
     finally:
-        _call_off(thread, over, turn, rang)
+        _call_off(thread, over, turn, bell)
 
 
-def _call_off(
-    thread: int, over: threading.Event, turn: threading.Lock, rang: threading.Event
-) -> None:
+def _call_off(thread: int, over: threading.Event, turn: threading.Lock, bell: Bell) -> None:
     """Stop a watchdog, and take an exception that it sent but that was not delivered yet."""
     last_one_sent = False
     while True:
         try:
             over.set()
             with turn:
-                if not rang.is_set():
+                if not bell.rang:
                     return
                 last_one_sent = True
                 _raise_in(thread)  # takes the place of one that is still on its way

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
+from math import inf
 from typing import Any
 
 
@@ -13,13 +14,13 @@ class Allowance:
     Attributes
     ----------
     cell_seconds : float
-        For one cell of the notebook.
+        Of the processor for one cell of the notebook; see `cell_clock`.
     notebook_seconds : float
-        For all its cells together.
+        By the clock for all its cells together.
     answer_seconds : float
-        For one call of an answer.
+        By the clock for one call of an answer.
     total_seconds : float
-        From beginning to end.
+        By the clock from beginning to end.
     processor_seconds : float
         Of one process.
     memory : int
@@ -33,7 +34,7 @@ class Allowance:
     """
 
     cell_seconds: float = 30.0
-    notebook_seconds: float = 120.0
+    notebook_seconds: float = 180.0
     answer_seconds: float = 5.0
     total_seconds: float = 300.0
     processor_seconds: float = 150.0
@@ -42,6 +43,40 @@ class Allowance:
     files: int = 200_000_000
     output: int = 100_000
 
+    @property
+    def cell_clock(self) -> float:
+        """Seconds by the clock for one cell: a machine may be busy, and a cell may wait."""
+        return 2 * self.cell_seconds
+
     def as_dict(self) -> dict[str, Any]:
         """Return the numbers by name."""
         return asdict(self)
+
+
+def allowance_for(cell_seconds: float) -> Allowance:
+    """Return the usual allowance, for cells that may take longer, or less long.
+
+    Parameters
+    ----------
+    cell_seconds : float
+        Of the processor for one cell. If it is more than usual, what all cells and the whole
+        submission may take grows with it.
+
+    Raises
+    ------
+    ValueError
+        If it is no time.
+    """
+    if not 0 < cell_seconds < inf:
+        raise ValueError(
+            f"c.AnswerOutside.cell_seconds in nbgrader_config.py must be more than 0, "
+            f"not {cell_seconds:g}"
+        )
+    usual = Allowance()
+    more = max(1.0, cell_seconds / usual.cell_seconds)
+    return Allowance(
+        cell_seconds=cell_seconds,
+        notebook_seconds=more * usual.notebook_seconds,
+        total_seconds=more * usual.total_seconds,
+        processor_seconds=more * usual.processor_seconds,
+    )

@@ -25,14 +25,14 @@ from IPython.core.interactiveshell import InteractiveShell
 from traitlets import Type
 from traitlets.config import Config
 
-from course_lib.judging.limits import BoundedText, TimeLimitReached, time_limit
+from course_lib.judging.limits import Bell, BoundedText, TimeLimitReached, time_limit
 from course_lib.sandbox import hidden, wire
 from course_lib.sandbox.answers import answer_questions
 from course_lib.sandbox.limits import Allowance
 
 #: Where a notebook runs.
 FOLDER = "/tmp/notebook"
-LATE = "This cell was stopped after {:g} seconds."
+LATE = "This cell was stopped after {:g} seconds of computing, or {:.3g} by the clock."
 
 
 class _Publisher(DisplayPublisher):  # type: ignore[misc]
@@ -121,11 +121,10 @@ def run_notebook(
     shell = InteractiveShell.instance()
     _settle(shell, job)
     hidden.give_back(job["given_back"])
-    left = time.monotonic() + allowance.notebook_seconds
+    deadline = time.monotonic() + allowance.notebook_seconds
     for step in job["steps"]:
         if "cell" in step:
-            seconds = min(allowance.cell_seconds, left - time.monotonic())
-            outputs = _run_cell(shell, step["source"], seconds, allowance.output)
+            outputs = _run_cell(shell, step["source"], allowance, deadline - time.monotonic())
             count = shell.execution_count - 1
             wire.send(talk, {"cell": step["cell"], "outputs": outputs, "count": count})
         else:
@@ -152,14 +151,16 @@ def _settle(shell: Any, job: Mapping[str, Any]) -> None:
     warnings.filterwarnings("ignore", message="FigureCanvasAgg is non-interactive")
 
 
-def _run_cell(shell: Any, source: str, seconds: float, characters: int) -> list[dict[str, Any]]:
+def _run_cell(shell: Any, source: str, allowance: Allowance, left: float) -> list[dict[str, Any]]:
     """Run one cell; return its outputs, none of them longer than allowed."""
-    shell.kept = []
+    shell.kept, characters = [], allowance.output
     streams = {"stdout": BoundedText(characters), "stderr": BoundedText(characters)}
-    before, start = (sys.stdout, sys.stderr), time.monotonic()
+    before = sys.stdout, sys.stderr
     sys.stdout, sys.stderr = streams["stdout"], streams["stderr"]
+    clock = max(min(allowance.cell_clock, left), 0.01)
+    bell = Bell()
     try:
-        with time_limit(max(seconds, 0.01)):
+        with time_limit(allowance.cell_seconds, clock) as bell:
             shell.run_cell(source, store_history=True)
     except TimeLimitReached:
         pass
@@ -167,8 +168,8 @@ def _run_cell(shell: Any, source: str, seconds: float, characters: int) -> list[
         shell.kept.append(_error(type(error), error, []))
     finally:
         sys.stdout, sys.stderr = before
-    if time.monotonic() - start > seconds:
-        late = TimeLimitReached(LATE.format(seconds))
+    if bell.rang:
+        late = TimeLimitReached(LATE.format(allowance.cell_seconds, clock))
         shell.kept = [*shell.kept[:20], _error(TimeLimitReached, late, [])]
     _finish_figures(shell)
     said = [

@@ -28,7 +28,7 @@ SECOND = (
 )
 SMALL = Allowance(
     cell_seconds=1.5,
-    notebook_seconds=3.0,
+    notebook_seconds=5.0,
     answer_seconds=1.0,
     total_seconds=20.0,
     processor_seconds=30.0,
