@@ -22,9 +22,11 @@ def clean_environment() -> dict[str, str]:
 def children(process: int) -> list[int]:
     """Return the processes that a process, or one of its threads, has started."""
     listed: list[int] = []
-    for path in Path(f"/proc/{process}/task").glob("*/children"):
-        with suppress(OSError):  # a thread that has ended
-            listed += [int(word) for word in path.read_text().split()]
+    with suppress(OSError):  # it has ended
+        for thread in os.listdir(f"/proc/{process}/task"):
+            with suppress(OSError):  # this one has
+                text = Path(f"/proc/{process}/task/{thread}/children").read_text()
+                listed += map(int, text.split())
     return listed
 
 

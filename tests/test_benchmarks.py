@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks import memory, table
+from benchmarks.processes import with_all_below
 from benchmarks.table import Row, write_section
 
 PAIR = """
@@ -38,6 +39,12 @@ def test_what_two_processes_share_counts_once(monkeypatch):
         finally:
             os.killpg(process.pid, signal.SIGKILL)
     assert 60 < peak.megabytes < 100
+
+
+def test_a_process_that_has_ended_started_nothing():
+    with subprocess.Popen([sys.executable, "-c", ""]) as process:
+        process.wait()
+    assert with_all_below(process.pid) == [process.pid]
 
 
 def test_a_section_takes_the_place_of_its_old_one(monkeypatch, tmp_path):
