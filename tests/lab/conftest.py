@@ -1,5 +1,6 @@
 """A reader's folder with small photographs of the desk."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 import matplotlib as mpl
@@ -43,3 +44,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def work(folder: Path) -> lab.Work:
     """Return the work on that folder, with its camera."""
     return lab.calibrate(lab.look("mine", folder, desk.TARGET, MEASURING))
+
+
+@pytest.fixture
+def heard(capsys: pytest.CaptureFixture[str]) -> Callable[[], str]:
+    """Return what tells what was said since, however its lines are folded."""
+    return lambda: " ".join(capsys.readouterr().out.split())

@@ -89,11 +89,11 @@ def test_it_says_whose_photographs_they_are(work, results, tmp_path, capsys):
     assert "This report is on the supplied photographs: the cell with `look` says why." in said
 
 
-def test_a_report_on_own_photographs_is_never_replaced(path, work, results, capsys):
+def test_a_report_on_own_photographs_is_never_replaced(path, work, results, heard):
     before = path.read_bytes()
     assert write(replace(work, own=False), results[:1], path.parent) == path
     assert path.read_bytes() == before
-    said = " ".join(capsys.readouterr().out.split())
+    said = heard()
     assert "lab_report.html stays as it is: it was made with your own photographs" in said
 
 
@@ -168,10 +168,10 @@ def test_without_a_ruler_there_is_a_report_all_the_same(work, results, tmp_path)
     assert "card: 85.4 mm ± 0.6 mm (95 %); not compared with a ruler." in held["words"]
 
 
-def test_where_nothing_can_be_written_a_sentence_says_so(work, results, tmp_path, capsys):
+def test_where_nothing_can_be_written_a_sentence_says_so(work, results, tmp_path, heard):
     (tmp_path / FILE).mkdir()
     write(work, results[:1], tmp_path)
-    assert "lab_report.html cannot be written" in " ".join(capsys.readouterr().out.split())
+    assert "lab_report.html cannot be written" in heard()
 
 
 class TestMeeting:
