@@ -24,8 +24,8 @@ from course_lib.detection.result import grey_picture
 ENDINGS = (".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp", ".webp", ".pgm", ".ppm")
 #: Pictures that cameras make and this program cannot open.
 UNREADABLE = (".heic", ".heif", ".avif", ".dng", ".nef", ".cr2", ".cr3", ".arw", ".raf", ".orf")
-#: More pixels than any camera has: such a picture is no photograph.
-MOST_PIXELS = 400_000_000
+#: Phones have up to 200 megapixels, for which a verdict takes 0.8 GB; more is no photograph.
+MOST_PIXELS = 220_000_000
 #: Tag of Exif's part on the exposure; in it, those of the time, the focal length and its 35 mm
 #: equivalent.
 EXIF_PART, TAKEN, FOCAL_LENGTH, FOCAL_35 = 0x8769, 0x9003, 0x920A, 0xA405
@@ -211,6 +211,7 @@ def read_grey(path: Path) -> Picture:
         if picture.mode in ("I", "F"):
             values = np.asarray(picture, np.float32)
             return values / max(float(values.max()), 1.0)
+        picture.draft("L", picture.size)  # a JPEG file holds grey levels; no colours are made
         return np.asarray(picture.convert("L"))
 
 

@@ -95,7 +95,7 @@ def grey_picture(image: ArrayLike) -> Picture:
         )
     if array.ndim == 3 and array.shape[2] not in (3, 4):
         raise ValueError(f"image must be grey or have 3 or 4 channels, got {array.shape[2]}")
-    if not np.isfinite(array).all():
+    if array.dtype.kind == "f" and not np.isfinite(array).all():
         raise ValueError("image must be finite, got NaN or infinity")
     if array.dtype != np.uint8:
         full = 1.0 if array.dtype.kind == "f" else np.iinfo(array.dtype).max

@@ -204,11 +204,24 @@ class TestReading:
         cv2.imwrite(str(tmp_path / "a.tif"), picture)
         np.testing.assert_array_equal(read_grey(tmp_path / "a.tif"), picture)
 
-    def test_too_many_pixels(self, tmp_path, monkeypatch):
-        Image.new("L", (40, 30)).save(tmp_path / "a.png")
-        monkeypatch.setattr("course_lib.calibrating.pictures.MOST_PIXELS", 1000)
-        with pytest.raises(SetAside, match="too many"):
+    def test_too_many_pixels(self, tmp_path):
+        Image.new("1", (16000, 15000)).save(tmp_path / "a.png", compress_level=1)
+        with pytest.raises(SetAside, match="240 megapixels are too many"):
             read_header(tmp_path / "a.png")
+        photo = look_at_photo(tmp_path / "a.png", BOARD)
+        assert (photo.used, photo.problem) == (False, "file")
+
+    def test_a_phone_of_a_hundred_megapixels(self, tmp_path):
+        dark = np.indices((6, 8)).sum(axis=0) % 2 == 0
+        squares = np.pad(
+            np.kron(np.where(dark, 20, 220), np.ones((20, 20))), 40, constant_values=220
+        )
+        small = Image.fromarray(squares.astype(np.uint8))
+        large = small.resize((11600, 8700), Image.Resampling.BILINEAR)
+        large.save(tmp_path / "a.jpg", quality=80)
+        photo = look_at_photo(tmp_path / "a.jpg", BOARD)
+        assert photo.used
+        assert photo.verdict == "All 7 × 5 corners found."
 
     def test_more_pixels_than_pillow_likes(self, tmp_path, monkeypatch):
         Image.new("L", (40, 30)).save(tmp_path / "a.png")
