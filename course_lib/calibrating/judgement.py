@@ -8,7 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from course_lib.boards import DotGrid
-from course_lib.calibrating.photographs import on_distance, on_files, on_focal_length, on_views
+from course_lib.calibrating.photographs import (
+    on_distance,
+    on_files,
+    on_focal_length,
+    on_range,
+    on_views,
+)
 from course_lib.calibrating.precision import angle_sigma, length_sigma
 from course_lib.calibrating.solving import Solved
 from course_lib.calibrating.statement import Statement
@@ -65,7 +71,7 @@ def judge(solved: Solved) -> Judgement:
     Returns
     -------
     Judgement
-        Statements on error, number, coverage, tilt, precision and rejected photographs.
+        Statements on error, number, distances, coverage, tilt, precision and rejected photographs.
     """
     covered = coverage(
         [p[k] for p, k in zip(solved.pixels, solved.kept, strict=True)],
@@ -82,6 +88,7 @@ def judge(solved: Solved) -> Judgement:
         *_on_error(solved),
         *on_views(solved, retake),
         *on_distance(solved),
+        *on_range(solved),
         *_on_coverage(covered),
         *_on_tilts(solved),
         *_on_numbers(solved),

@@ -15,6 +15,8 @@ from course_lib.calibrating.statement import Statement
 ENOUGH, FEW = 10, 6
 #: Equivalent focal lengths are rounded, and phones keep a rim of the sensor to themselves.
 PROMISED = 0.1
+#: So many times as far away as the nearest board should the farthest be.
+NEAR_AND_FAR = 1.25
 #: Why photographs are set aside, as an adjective.
 KINDS = {
     "file": "unreadable",
@@ -54,15 +56,38 @@ def on_views(solved: Solved, retake: tuple[str, ...]) -> Iterator[Statement]:
 
 def on_distance(solved: Solved) -> Iterator[Statement]:
     """Ask whether the distances are right: the only sign of a wrong length."""
-    middle = solved.board.points().mean(axis=0)
-    away = [float(np.linalg.norm(R @ middle + t)) for R, t in solved.calibration.poses]
-    near, far = in_words(min(away)), in_words(max(away))
+    near, far = map(in_words, _nearest_and_farthest(solved))
     between = f"{near} to {far}" if near != far else near
     yield Statement(
         "note",
         f"With {lengths_of(solved.board)}, the board was {between} away from the camera: is that "
         "so? If not, the length given is wrong, and every distance measured will be.",
     )
+
+
+def on_range(solved: Solved) -> Iterator[Statement]:
+    """Say for which distances the camera is tested: a lens is not quite the same at all of them."""
+    near, far = _nearest_and_farthest(solved)
+    told = "hold it there, too, if you will measure nearer or farther"
+    if far >= NEAR_AND_FAR * near:
+        yield Statement(
+            "good",
+            f"The farthest board was {far / near:.2g} times as far away as the nearest. Only "
+            f"between them is the camera tested: {told}.",
+        )
+    else:
+        yield Statement(
+            "note",
+            "All boards were about equally far away, so the camera is tested at one distance "
+            f"only. Hold the board near and far; {told}.",
+        )
+
+
+def _nearest_and_farthest(solved: Solved) -> tuple[float, float]:
+    """Return how far from the camera the middles of the boards were, mm."""
+    middle = solved.board.points().mean(axis=0)
+    away = [float(np.linalg.norm(R @ middle + t)) for R, t in solved.calibration.poses]
+    return min(away), max(away)
 
 
 def in_words(millimetres: float) -> str:

@@ -6,6 +6,7 @@ import pytest
 from course_lib.boards import DotGrid
 from course_lib.calibrating.judgement import judge, missing_places
 from course_lib.calibrating.looking import Photo
+from course_lib.calibrating.photographs import on_range
 from course_lib.calibrating.pictures import Header
 from course_lib.calibrating.precision import angle_sigma, length_sigma
 from course_lib.calibrating.solving import solve
@@ -112,6 +113,21 @@ class TestStatements:
         camera = replace(run.solved.calibration, poses=poses)
         judgement = judge(replace(run.solved, calibration=camera))
         assert levels(judgement, "in 0 photographs only") == ["bad"]
+
+    @pytest.mark.parametrize(
+        ("farther", "words", "level"),
+        [(1.2, "All boards were about equally far", "note"), (1.5, "was 1.5 times as far", "good")],
+    )
+    def test_range_of_distances(self, run, farther, words, level):
+        middle = run.solved.board.points().mean(axis=0)
+        facing = [np.array([0, 0, z]) - middle for z in (500, 500 * farther, 550)]
+        camera = replace(run.solved.calibration, poses=tuple((np.eye(3), t) for t in facing))
+        (said,) = on_range(replace(run.solved, calibration=camera))
+        assert said.level == level
+        assert words in said.text
+
+    def test_range_of_distances_is_told(self, run):
+        assert levels(run.judgement, "Only between them is the camera tested") == ["good"]
 
     def test_large_residuals(self, run):
         camera = replace(run.solved.calibration, rms=3.0)
