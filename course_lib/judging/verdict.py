@@ -193,7 +193,8 @@ def _sentence(given: Answer, reveal: bool) -> str:
         "value": "Not answered yet.",
         "not attempted": given.message
         or "Not answered yet: the function still raises NotImplementedError.",
-        "time limit": f"No answer after {given.message} seconds. Does a loop never end?"
+        "time limit": f"No answer after {given.message} seconds. Does a loop never end? Or is a "
+        "library loaded in it? An `import` belongs before the function."
         if given.message
         else "Not tried, because an answer before it took too long.",
         "not plain": f"The answer is of the type {given.message}; arrays and numbers are expected.",
