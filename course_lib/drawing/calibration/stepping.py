@@ -75,6 +75,11 @@ def residuals_and_derivatives(
         Projected minus observed, px: du, dv of each corner.
     J : ndarray, shape (108 V, 6 + 6 V)
         Derivatives, by differences.
+
+    Raises
+    ------
+    ValueError
+        If the parameters are no camera, or a corner has no image.
     """
     numbers = np.asarray(parameters, dtype=float)
     rows = 2 * len(BOARD.points())
@@ -86,6 +91,8 @@ def residuals_and_derivatives(
         for column, small, step in zip(own, SMALL, np.diag(SMALL), strict=True):
             ahead, behind = (_of_view(numbers[own] + sign * step, seen) for sign in (1, -1))
             J[here, column] = (ahead - behind) / (2 * small)
+    if not np.isfinite(J).all():
+        raise ValueError("with these parameters, corners of the board lie behind the camera")
     return residuals, J
 
 
