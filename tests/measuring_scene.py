@@ -59,3 +59,19 @@ def stereo(noise, rng, pairs=10):
 def in_pair(points):
     """Return the exact pixels of points of the left camera's frame in both pictures."""
     return np.stack([image(points, (np.eye(3), np.zeros(3))), image(points, (TURNED, SHIFT))])
+
+
+def larger(K, coefficients, name, step):
+    """Return a camera's matrix and coefficients, one of its numbers larger by a step."""
+    K, k = K.copy(), coefficients.copy()
+    if name in ("fx", "fy", "cx", "cy"):
+        K["xy".index(name[1]), "xy".index(name[1]) if name[0] == "f" else 2] += step
+    else:
+        k[("k1", "k2", "p1", "p2", "k3").index(name)] += step
+    return K, k
+
+
+def spread(count, shape, sigma, rng):
+    """Return noise whose covariance is exact in this sample, not only on average."""
+    white = np.linalg.qr(rng.normal(size=(count, int(np.prod(shape)))))[0] * np.sqrt(count)
+    return sigma * white.reshape(count, *shape)

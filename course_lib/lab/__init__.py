@@ -11,7 +11,14 @@ from course_lib.lab.figures import (
 )
 from course_lib.lab.numbers import number, say_pointing
 from course_lib.lab.photographs import Work, calibrate, look
-from course_lib.lab.real_pairs import Checked, honest, measure_real_pairs
+from course_lib.lab.real_pairs import (
+    Checked,
+    Compared,
+    honest,
+    measure_baselines,
+    measure_real_pairs,
+    measure_shifts,
+)
 from course_lib.lab.report import show_report, write_report
 from course_lib.lab.results import Result, meeting, result
 from course_lib.lab.shots import Shot, shot
@@ -21,6 +28,7 @@ from course_lib.lab.words import say
 __all__ = [
     "SUPPLIED",
     "Checked",
+    "Compared",
     "Result",
     "Shot",
     "Work",
@@ -33,7 +41,9 @@ __all__ = [
     "honest",
     "lens_bend",
     "look",
+    "measure_baselines",
     "measure_real_pairs",
+    "measure_shifts",
     "meeting",
     "number",
     "rays",

@@ -41,7 +41,7 @@ def cells(tmp_path_factory):
     scope, here = {"__name__": "__main__"}, Path.cwd()
     os.chdir(tmp_path_factory.mktemp("12_lab"))
     try:
-        for cell in (c for c in code if "measure_real_pairs" not in c):
+        for cell in (c for c in code if not re.search("measure_(real_pairs|shifts)", c)):
             exec(compile(ast.parse(cell), "cell", "exec"), scope)
     finally:
         os.chdir(here)
@@ -215,6 +215,23 @@ def test_the_board_of_pair_8_moved_by_half_a_millimetre():
             assert np.sqrt((apart**2).sum(axis=1).mean()) == pytest.approx(0.5, abs=0.1)
     others = [far for number, far in moved.items() if number != 8]
     assert moved[8] > 1.8 * max(others)  # across the view, where both know it well
+
+
+def test_boards_and_cameras_of_real_pairs():
+    fetched("opencv_stereo/left01.jpg")
+    shifts, apart = lab.measure_shifts(), lab.measure_baselines()
+    TEXT.says("77 of the 78 ways do, from 4 to 211 mm; typically they differ by 0.1 mm")
+    assert len({c.pairs for c in shifts}) == 78
+    assert sum(c.ratio < 1 for c in shifts) == 77
+    ways = [c.one.value for c in shifts]
+    assert (round(min(ways)), round(max(ways))) == (4, 211)
+    differ = np.array([c.one.value - c.other.value for c in shifts])
+    assert round(float(np.median(np.abs(differ))), 1) == 0.1
+    assert np.median([c.one.plus_minus for c in shifts]) < 0.5  # so that it is easy to miss
+    TEXT.says("all others together say 99.8 mm. It is 12 of 13.")
+    assert [c.pairs for c in apart] == [(number,) for number in NUMBERS]
+    assert sum(c.ratio < 1 for c in apart) == 12
+    assert round(float(np.median([c.other.value for c in apart])), 1) == 99.8
 
 
 def test_model_answers_give_the_same_numbers(cells):

@@ -12,6 +12,8 @@ from measuring_scene import (
     calibrated,
     image,
     in_pair,
+    larger,
+    spread,
     stereo,
     targeted,
 )
@@ -34,18 +36,9 @@ def changed(pair, number, step):
         return replace(pair, R=rotation_from_vector(step * np.eye(3)["xyz".index(name)]) @ pair.R)
     if side == "shift":
         return replace(pair, t=pair.t + step * np.eye(3)["xyz".index(name)])
-    K, k = (getattr(pair, f"{what}_{side}").copy() for what in ("K", "coefficients"))
-    if name in ("fx", "fy", "cx", "cy"):
-        K["xy".index(name[1]), "xy".index(name[1]) if name[0] == "f" else 2] += step
-    else:
-        k[("k1", "k2", "p1", "p2", "k3").index(name)] += step
+    K, k = (getattr(pair, f"{what}_{side}") for what in ("K", "coefficients"))
+    K, k = larger(K, k, name, step)
     return replace(pair, **{f"K_{side}": K, f"coefficients_{side}": k})
-
-
-def spread(count, shape, sigma, rng):
-    """Return noise whose covariance is exact in this sample, not only on average."""
-    white = np.linalg.qr(rng.normal(size=(count, int(np.prod(shape)))))[0] * np.sqrt(count)
-    return sigma * white.reshape(count, *shape)
 
 
 def agrees(found, source, tolerance):
