@@ -190,11 +190,7 @@ def _home(name: str, value: Any, function: Callable[..., Any]) -> tuple[str, str
     defined, real = getattr(value, "__module__", None), getattr(value, "__name__", None)
     if defined and real == name:
         return defined, name
-    if (
-        defined
-        and not defined.startswith(EXERCISES)
-        and hasattr(sys.modules.get(defined), str(real))
-    ):
+    if defined and hasattr(sys.modules.get(defined), str(real)):
         return defined, f"{real} as {name}"
     return function.__module__, name
 
