@@ -10,7 +10,7 @@ from course_lib import distortion
 from course_lib.drawing.distortion import boards
 from course_lib.drawing.distortion.fields import CLASSIC_K, CLASSIC_LENS
 from course_lib.drawing.distortion.fisheye import things
-from course_lib.drawing.distortion.mapping import fixed_point
+from course_lib.drawing.distortion.mapping import TRIED, fixed_point, image_and_slope, newton
 from course_lib.drawing.explorers.distortion import NAMES, distortion_frame
 from course_lib.drawing.explorers.undistort import undistort_frame
 from data_generators import rails
@@ -130,6 +130,27 @@ def test_guesses():
     assert guesses[1:] == about(np.array([0.4964, 0.4995, 0.4999]), 4)
     assert about(0.4536, 4) == 0.475 * (1 - 0.2 * 0.475**2)
     says("goes to 0.4536 and misses by 0.0214", "= 0.4964$, the one after it 0.4995, then 0.4999")
+
+
+def test_where_each_method_fails():
+    assert image_and_slope(0.475, -0.2)[1] == about(0.865, 3)
+    assert newton(0.475, -0.2, 1)[1] == about(0.4998, 4)
+    says("$1 - 0.6\\cdot 0.475^2 = 0.865$", "$0.475 + 0.0214/0.865 = 0.4998$")
+    (_, mild, near), (_, strong, _), (_, folding, far) = TRIED
+    slopes = [image_and_slope(near, k)[1] for k in (mild, strong)]
+    assert slopes == [about(0.71, 2), about(2.18, 2)]
+    assert 1 - np.array(slopes) == about(np.array([0.29, -1.18]), 2)
+    errors = fixed_point(image_and_slope(near, mild)[0], mild, 8) - near
+    assert errors[8] / errors[7] == about(0.29, 2)
+    says("That is $0.29$ for", "the slope is 2.18 and the factor $-1.18$")
+    assert distortion.valid_radius([*folding, 0, 0]) == about(1.21, 2)
+    image = image_and_slope(far, folding)[0]
+    assert image == about(1.28, 2)
+    assert image_and_slope(image, folding)[1] < 0
+    assert newton(image, folding, 20)[-1] == about(1.30, 2)
+    assert fixed_point(image, folding, 60)[-1] == pytest.approx(far)
+    assert distortion.undistort_points([image, 0], [*folding, 0, 0])[0] == pytest.approx(far)
+    says("folds over at $r = 1.21$", "imaged at 1.28", "goes to $r = 1.30$", "finds 1.1.")
 
 
 @pytest.mark.parametrize(("k", "error"), [(LENS[:4], 0.06), ((-0.4, 0.15, 0, 0), 0.5)])
@@ -266,6 +287,11 @@ def test_fisheye_numbers():
 def test_division_model_example():
     assert distortion.undistort_division([0.5, 0], -0.25)[0] == about(0.533, 3)
     says("$\\lambda = -0.25$ sends 0.5 to $0.5/0.9375 = 0.533$")
+
+
+def test_first_term_of_ebner():
+    assert distortion.ebner([10, 20], [0.001, *np.zeros(11)], 100) == about([0.01, -0.02], 2)
+    says("$(b_1x, -b_1y)$", "with $b_1 = 0.001$ it moves the point (10, 20) by (0.01, −0.02)")
 
 
 def test_rational_and_prism_example():

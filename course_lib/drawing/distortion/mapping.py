@@ -26,17 +26,24 @@ if TYPE_CHECKING:
 HOUSE_LENS = (-0.2,)
 
 
-@figure(
-    "Error after each step of the fixed-point iteration and of Newton's method, for a mild barrel "
-    "and for a strong pincushion; there the iteration does not settle."
+#: Lenses on which the way back is tried: a name, k1 and perhaps k2, and an ideal distance.
+TRIED = (
+    ("mild barrel", (-0.2,), 0.7),
+    ("strong pincushion", (0.8,), 0.7),
+    ("folds at r = 1.21", (0.5, -0.3), 1.1),
 )
-def iterations(r: float = 0.7, steps: int = 10) -> Figure:
+
+
+@figure(
+    "Error after each step of the fixed-point iteration and of Newton's method, for three lenses: "
+    "with a mild barrel both come to rest, with a strong pincushion only Newton's method, and with "
+    "a lens that folds over near the point only the fixed-point iteration."
+)
+def iterations(steps: int = 10) -> Figure:
     """Show how two methods undo the distortion of one point, step by step.
 
     Parameters
     ----------
-    r : float
-        Ideal distance of the point from the centre, no unit.
     steps : int
         How many steps.
 
@@ -45,28 +52,51 @@ def iterations(r: float = 0.7, steps: int = 10) -> Figure:
     Figure
         Errors on a logarithmic axis, a panel for each lens.
     """
-    fig, axes = panels(1, 2, (FULL_WIDTH, 3.2), sharey=True)
-    for ax, k1, name in zip(axes, (-0.2, 0.8), ("mild barrel", "strong pincushion"), strict=True):
+    fig, axes = panels(1, 3, (FULL_WIDTH, 3.0), sharey=True)
+    for ax, (name, k, r) in zip(axes, TRIED, strict=True):
         for method, style, role in ((fixed_point, "o-", "object"), (newton, "s--", "camera")):
-            errors = np.abs(method(r * (1 + k1 * r**2), k1, steps) - r)
+            errors = np.abs(method(image_and_slope(r, k)[0], k, steps) - r)
             label = method.__name__.replace("_", " ").replace("newton", "Newton")
             ax.plot(np.maximum(errors, 1e-17), style, color=ROLES[role], ms=5, label=label)
         ax.set(yscale="log", ylim=(1e-17, 10), xlabel="step (no unit)")
-        ax.set_title(f"{name}, $k_1$ = {k1:g}".replace("-", "−"), fontsize=11)
+        ax.set_xticks(range(0, steps + 1, 2))
+        numbers = ", ".join(f"$k_{n}$ = {value:g}" for n, value in enumerate(k, 1))
+        ax.set_title(f"{name}\n{numbers}".replace("-", "−"), fontsize=11)
     axes[0].set_ylabel("error of r (no unit)")
     axes[0].legend(fontsize=10)
     return fig
 
 
-def fixed_point(r_d: float, k1: float, steps: int) -> Floats:
-    """Return the first guesses of r: from each, take off what is too much of its image.
+def image_and_slope(r: float, k: ArrayLike) -> tuple[float, float]:
+    """Return where a lens images a distance from the centre, and how fast that grows with it.
+
+    Parameters
+    ----------
+    r : float
+        Ideal distance, no unit.
+    k : array_like
+        ``k1``, perhaps with ``k2 …``.
+
+    Returns
+    -------
+    tuple of float
+        ``r (1 + k1 r² + …)`` and its derivative ``1 + 3 k1 r² + …``.
+    """
+    k = np.atleast_1d(np.asarray(k, float))
+    powers = 2 * np.arange(1, len(k) + 1)
+    terms = k * r**powers
+    return float(r * (1 + terms.sum())), float(1 + ((powers + 1) * terms).sum())
+
+
+def fixed_point(r_d: float, k: ArrayLike, steps: int) -> Floats:
+    """Return the first guesses of r: to each, add what its image lacks.
 
     Parameters
     ----------
     r_d : float
         Distorted distance from the centre, no unit; the first guess.
-    k1 : float
-        Radial coefficient.
+    k : array_like
+        As in `image_and_slope`.
     steps : int
         How many steps.
 
@@ -77,16 +107,16 @@ def fixed_point(r_d: float, k1: float, steps: int) -> Floats:
     """
     guesses = [r_d]
     for _ in range(steps):
-        guesses.append(guesses[-1] - (guesses[-1] * (1 + k1 * guesses[-1] ** 2) - r_d))
+        guesses.append(guesses[-1] + r_d - image_and_slope(guesses[-1], k)[0])
     return np.array(guesses)
 
 
-def newton(r_d: float, k1: float, steps: int) -> Floats:
+def newton(r_d: float, k: ArrayLike, steps: int) -> Floats:
     """Return the guesses of Newton's method; arguments as for `fixed_point`."""
     guesses = [r_d]
     for _ in range(steps):
-        r = guesses[-1]
-        guesses.append(r - (r * (1 + k1 * r**2) - r_d) / (1 + 3 * k1 * r**2))
+        image, slope = image_and_slope(guesses[-1], k)
+        guesses.append(guesses[-1] + (r_d - image) / slope)
     return np.array(guesses)
 
 
