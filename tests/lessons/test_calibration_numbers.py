@@ -7,6 +7,7 @@ import pytest
 from lesson_text import about, lesson_text, read
 
 from course_lib import calibration as cal
+from course_lib.calibration_files import FORMS, StoredCamera, write_camera
 from course_lib.detection import detect_board
 from course_lib.detection.circles import circle_bias
 from course_lib.distortion import distort_pixels
@@ -150,6 +151,13 @@ def test_dots():
     assert cal.rms_error(np.vstack(off)) == about(0.18, 2)
     assert bad.DOTS.diameter == 18
     says("by 0.18 px for dots of 18 mm", "dots | $f$ off by 0.437 px, 7.6 times its")
+
+
+def test_files_that_are_written(tmp_path):
+    camera = StoredCamera(made.K, np.zeros(5), SIZE)
+    assert set(FORMS.values()) == {".yml", ".m", ".yaml", ".json"}
+    assert "kc = [" in write_camera(tmp_path / "camera.m", camera).read_text()
+    says("It writes neither `.mat` (in MATLAB, run `camera.m`", "nor OCamCalib's file")
 
 
 def test_focus_and_warmth():

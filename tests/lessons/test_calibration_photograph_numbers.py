@@ -234,6 +234,12 @@ def test_rays_where_no_corner_was(best, pixels):
     says("0.5 px at the left edge and 1.8 to 2.0 px in the left corners")
 
 
+def test_how_far_away_the_corners_were(best):
+    depths = np.concatenate([(POINTS @ R.T + t)[:, 2] for R, t in best.poses]) / 10
+    assert (depths.min(), depths.max()) == (about(25, 0), about(51, 0))
+    says("thirteen boards are 25 to 51 cm before the camera", "**calibration volume**")
+
+
 def test_models_on_pictures_held_out(pixels):
     from course_lib.drawing.calibration.judging import MODELS, model_errors
 
