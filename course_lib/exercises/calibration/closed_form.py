@@ -169,12 +169,18 @@ INTRINSICS_FROM_HOMOGRAPHIES = Exercise(
             "Right, if there is no skew. Who says that there is none?",
         ),
         Misconception(
+            wrong.one_view_is_enough,
+            "K has five numbers, and one view gives two equations. Where do your other three come "
+            "from, and what do the other views say to them?",
+        ),
+        Misconception(
             wrong.order_of_b_mixed_up,
-            "Cholesky finds no factor. Has your table two rows a view and six columns? Is it zero "
-            "times b? Is B11 positive? Where in B does the third of b go?",
+            "Cholesky finds no factor. Has your table two rows of each view and six columns? Is it "
+            "zero times b? Is B11 positive? Where in B does the third of b go?",
             also=[
                 wrong.largest_singular_value,
                 wrong.column_of_the_last_factor,
+                wrong.first_view_only,
                 wrong.last_view_only,
                 wrong.rows_side_by_side,
             ],

@@ -200,6 +200,18 @@ def skew_set_to_zero(Hs):
     return K * [[1, 0, 1], [0, 1, 1], [0, 0, 1]]
 
 
+def one_view_is_enough(Hs):
+    """With the principal point guessed and no skew, one view gives fx and fy."""
+    to_middle = np.array([[1, 0, -319.5], [0, 1, -239.5], [0, 0, 1]])
+    rows = all_rows(to_middle @ Hs[:1])[:, [0, 2, 5]]
+    b11, b22, b33 = np.cross(rows[0], rows[1])
+    return np.array([[np.sqrt(b33 / b11), 0, 319.5], [0, np.sqrt(b33 / b22), 239.5], [0, 0, 1]])
+
+
+def first_view_only(Hs):
+    return factor(matrix(null_vector(Hs[:1])))
+
+
 def last_view_only(Hs):
     return factor(matrix(null_vector(Hs[-1:])))
 
