@@ -18,6 +18,7 @@ from benchmarks import (
     grading,
     latency,
     lens,
+    lessons,
     photographs,
 )
 from benchmarks.explorers import EXPLORERS
@@ -40,6 +41,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "epipolar": epipolar.epipolar,
     "starting": commands.starting,
     "building": commands.building,
+    "executing": lessons.executing,
     "grading": grading.grading,
 }
 

@@ -22,6 +22,7 @@ EXPLORERS: dict[str, tuple[tuple[str, ...], ...]] = {
     "lenses": (
         ("depth of field", "depth_of_field_explorer", "Depth of field", "f"),
         ("ray tracer", "ray_tracer_explorer", "Rays through a thin lens", "Z"),
+        ("two lenses", "two_lens_explorer", "Rays through two lenses", "d", "d"),
         ("aperture window", "aperture_window_explorer", "The aperture window", "N"),
     ),
     "sensor": (
