@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from IPython.core.inputtransformer2 import TransformerManager
 from nbformat import NotebookNode
 from nbgrader.utils import is_grade, is_solution
 
@@ -24,6 +23,7 @@ from course_lib.exercises import find
 from course_lib.judging import Exercise, ValuesExercise
 
 CHECK = re.compile(r'\s*check\(\s*["\']([\w.]+)["\']\s*\)\s*')
+MAGIC = re.compile(r"^\s*[%!?]|=\s*[%!]|\?\s*$", re.MULTILINE)
 #: Packages whose functions show something.
 SHOWING = ("course_lib.drawing", "course_lib.widgets")
 #: Who uses one of these can use any variable.
@@ -151,13 +151,14 @@ def names_used(source: str) -> frozenset[str]:
     Returns
     -------
     frozenset of str
-        In a cell that cannot be read, every word.
+        In a cell that is no plain Python, every word; with magics, ``get_ipython`` too. (IPython
+        would make Python of it, but takes minutes for a few hundred magics.)
     """
     try:
-        plain = TransformerManager().transform_cell(source)
-        tables = [symtable.symtable(plain, "cell", "exec")]
+        tables = [symtable.symtable(source, "cell", "exec")]
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return frozenset(re.findall(r"[^\W\d]\w*", source))
+        magic = {"get_ipython"} if MAGIC.search(source) else set()
+        return frozenset(re.findall(r"[^\W\d]\w*", source)) | magic
     names: set[str] = set()
     while tables:
         table = tables.pop()

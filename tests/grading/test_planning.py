@@ -81,3 +81,11 @@ def test_a_report_is_always_shown_and_nothing_else_is_run_for_it():
     assert planned.draws
     assert sources == [SETUP.replace("\ndraw.holes()", ""), "show_report()"]
     assert not ran()[0].draws
+
+
+def test_a_cell_of_magics_is_planned_at_once_and_everything_runs():
+    """IPython takes minutes to make Python of this, and then gives up."""
+    names = names_used("!ls\n" * 5000 + "f(x)")
+    assert {"get_ipython", "f", "x"} <= names
+    assert "get_ipython" not in names_used("def f(x:\n    return y % 2")
+    assert "get_ipython" in names_used("%matplotlib inline\nf(x)")
