@@ -148,6 +148,9 @@ def test_every_board_is_in_the_picture():
     assert (inside > 0).all()
     assert (inside < np.array(poses.SEEN_SIZE) - 1).all()
     assert len(by_role(frame.pictures[1], "object")) == 8
+    numbers = np.array([label.at for label in frame.pictures[2].labels])
+    apart = np.linalg.norm(numbers[:, None] - numbers, axis=2) + 99 * np.eye(8)
+    assert apart.min() > 12  # px: all can be read
 
 
 def test_bars_end_at_their_values():

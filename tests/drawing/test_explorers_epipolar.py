@@ -115,6 +115,15 @@ def test_the_line_is_that_of_the_fundamental_matrix_and_the_candidate_is_on_it(a
         assert line_distance(place, line) < 0.75  # it is shown in whole pixels
 
 
+def test_a_candidate_outside_has_no_number_and_no_unit():
+    frames = [lines.epipolar_frame(pairs.APART, u, 140, Z) for u in (20, 320) for Z in (4, 60)]
+    there = [value(frame, "Candidate on the right") != "outside" for frame in frames]
+    assert {*there} == {True, False}
+    for frame, shown in zip(frames, there, strict=True):
+        _, where, difference = frame.readouts
+        assert (where.unit, difference.unit) == (("px", "grey levels") if shown else ("", ""))
+
+
 def test_at_the_true_depth_the_two_patches_look_alike():
     camera = pairs.cameras(pairs.APART, lines.WIDTH)[0]
     one, _, points = pairs.true_pairs(pairs.APART, lines.WIDTH)
@@ -154,6 +163,9 @@ def test_more_draws_than_a_million_are_not_counted():
         "more than a million"
     )
     assert int(value(ransac.ransac_frame(300, 30.0, 1.0), "Draws needed, by the best")) < 200
+    none = ransac.ransac_frame(1, 30.0, 1e-9)
+    assert value(none, "Most so far") == "0, draw 1"
+    assert value(none, "Draws needed, by the best") == "more than a million"
 
 
 # RANSAC

@@ -155,6 +155,8 @@ def test_a_blur_beside_one_pixel_shows_on_which_side_it_is():
 def test_focal_points_of_a_pair_are_told_from_those_of_its_first_lens():
     alone = texts(RAYS(150, 60, rays.ONE, 30, 30).pictures[0])
     assert {"F", "F′"} <= set(alone)
+    at = {label.text: label.at[0] for label in RAYS(150, 60).pictures[0].labels}
+    assert at["F"] < at["lens"] < at["F′"]
     picture = RAYS(1e6, 50, rays.SPREADING, 30, 35).pictures[0]
     f, _, back = optics.lens_system(50, -30, 35)
     at = {label.text: label.at for label in picture.labels}
@@ -162,6 +164,14 @@ def test_focal_points_of_a_pair_are_told_from_those_of_its_first_lens():
     assert at["F′"][0] == pytest.approx(rays._at(35 + back + f, 0)[0])
     assert abs(at["image"][1] - at["F′"][1]) > 14  # px: both can be read
     assert abs(at["image"][1] - at["F₁′"][1]) > 14
+
+
+def test_names_of_near_lenses_stand_on_their_two_sides():
+    for gap, anchor in ((20, "end"), (80, "middle")):
+        labels = {
+            label.text: label for label in RAYS(150, 50, rays.SPREADING, 30, gap).pictures[0].labels
+        }
+        assert (labels["lens 1"].anchor, labels["lens 2"].anchor) == (anchor, "start")
 
 
 def test_principal_planes_belong_to_two_lenses():
@@ -179,7 +189,7 @@ def test_a_virtual_image_is_dashed_and_named():
 
 def test_parallel_rays_make_no_image():
     for frame in (RAYS(60, 60, rays.ONE, 30, 30), RAYS(300, 50, rays.SPREADING, 30, 30)):
-        assert frame.readouts[0].value == "∞"
+        assert (frame.readouts[0].value, frame.readouts[0].unit) == ("∞", "")
         assert not [t for t in texts(frame.pictures[0]) if "image" in t]
 
 
