@@ -7,7 +7,6 @@ text of an exception, no name that a student chose.
 from __future__ import annotations
 
 import builtins
-import re
 import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any, get_args
@@ -31,6 +30,9 @@ TYPES = {name for name, kind in vars(builtins).items() if isinstance(kind, type)
     "function", "builtin_function_or_method", "generator", "module", "NoneType", "method", "ufunc",
     "Figure", "Axes", "dict_keys", "dict_values", "Series", "DataFrame", "Fraction", "Decimal",
 }  # fmt: skip
+TOO_MUCH = "too many bytes"
+#: Axes of an array; length of an empty one; letters of all texts, each as long as the longest.
+MOST_AXES, LONGEST_EMPTY, MOST_LETTERS = 4, 100, 1_000_000
 UNCLEAR = "kind that cannot be compared"
 CRASHED = "a crash: Python itself was ended, or ran out of memory"
 
@@ -70,6 +72,8 @@ def vet(
     if status is None:
         return crashed(), frozenset()
     hidden = frozenset(name for name in _texts(reply.get("hidden")) if "." in name)
+    if status == "value" and not is_modest(reply.get("value")):
+        return Answer("too large", message=TOO_MUCH), frozenset()
     own = own_names(exercise)
     message = _text(reply.get("message"))
     answer = Answer(
@@ -116,9 +120,37 @@ def _vetted_message(status: str, message: str, seconds: float) -> str:
     if status == "not plain":
         known = message in TYPES or message in ("array of object", "array of bytes")
         return message if known else "kind that you made"
-    if status == "too large":
-        return message if re.fullmatch(r"\d{1,15} (items|bytes)", message) else "too many bytes"
-    return ""
+    return TOO_MUCH if status == "too large" else ""
+
+
+def is_modest(value: Any) -> bool:
+    """Whether an answer can be compared and described.
+
+    NumPy gives each text of a list the room of the longest one, so that a message of a few
+    megabytes would become an array of many gigabytes. And a shape is shown to the student: that
+    of an empty array can hold any numbers.
+
+    Parameters
+    ----------
+    value : object
+        Made of plain values.
+    """
+    items, longest, todo = 0, 0, [value]
+    while todo:
+        one = todo.pop()
+        items += 1
+        if isinstance(one, tuple | list):
+            todo += one
+        elif isinstance(one, dict):
+            todo += [*one.keys(), *one.values()]
+        elif isinstance(one, str):
+            longest = max(longest, len(one))
+        elif isinstance(one, np.ndarray):
+            if one.ndim > MOST_AXES or (not one.size and max(one.shape) > LONGEST_EMPTY):
+                return False
+            letters = one.dtype.itemsize // 4 if one.dtype.kind == "U" else 0
+            items, longest = items + one.size * bool(letters), max(longest, letters)
+    return items * longest <= MOST_LETTERS
 
 
 def _error(name: Any) -> str:

@@ -78,3 +78,32 @@ def test_whatever_is_compared_is_judged(value):
     reply = {"status": "value", "value": value}
     verdict = compare(EXERCISE, cases, [vet(EXERCISE, c, reply, [], 5.0)[0] for c in cases])
     assert verdict.points == 0
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        np.zeros((0, 35_123_456)), np.zeros((1,) * 9), [np.zeros((0, 10**6))],
+        [""] * 3000 + ["x" * 4_000_000], {"a": ("x" * 1000, *range(10_000))},
+        np.array(["", "x" * 1000] * 1000), ("x" * 2_000_000,),
+    ],
+    ids=lambda value: type(value).__name__,
+)  # fmt: skip
+def test_values_that_would_fill_the_memory_or_tell_numbers_are_too_large(value):
+    """As an array, three thousand texts with one of four million letters take 48 GB."""
+    answer, _ = vetted({"status": "value", "value": value})
+    assert (answer.status, answer.value, answer.message) == ("too large", None, "too many bytes")
+
+
+@pytest.mark.parametrize(
+    "value", [np.zeros((0, 3)), np.zeros((480, 640, 3)), ["ab"] * 1000, {"a": (1, "text")}, []]
+)
+def test_usual_values_are_not_too_large(value):
+    assert vetted({"status": "value", "value": value})[0].value is value
+
+
+def test_a_decimal_comma_cannot_bring_an_input_out():
+    cases = pose(EXERCISE, 1)
+    for value, told in [((12, 5), True), ((35_123_456, 5), False), ((3, 10**30), False)]:
+        answers = [vetted({"status": "value", "value": value})[0] for _ in cases]
+        assert (f"{value[0]}.{value[1]}" in to_text(compare(EXERCISE, cases, answers))) == told
