@@ -5,9 +5,10 @@ import pytest
 from lesson_text import about, lesson_text
 
 from course_lib.drawing import planning as draw
-from course_lib.drawing.planning import site
+from course_lib.drawing.planning import flying, site
 from course_lib.exercises.planning import plain
 from course_lib.planning import ground_sample_distance, photo_count
+from course_lib.planning.flight import SMALLEST_OBJECT
 from course_lib.widgets.planning import flight_planner
 
 says = lesson_text("11_planning").says
@@ -22,6 +23,22 @@ def test_ground_sampling_distances():
     assert float(ground_sample_distance(93, 8.8, 2.41)) == about(0.025, 3)
     assert (site.DEPTH, site.TOP) == (20, 14)
     says("the pit is 20 m deep, and has a heap of 14 m", "On the floor of the pit it is 2.5 cm")
+
+
+def test_the_smallest_object():
+    """Of crosses of so many pixels: at 1 a grey pixel, at 3 as light and as large as it is."""
+    assert SMALLEST_OBJECT == 3
+    says("The rule of thumb says: **3 GSD**", "| Smallest object | 3 GSD | 6 cm |")
+    assert about(0.06, 2) == 3 * 0.02
+    light = {n: (flying.crosses(n).max() - 0.2) / 0.75 for n in (1, 2, 3)}
+    size = {n: np.ptp(np.argwhere(flying.crosses(n) > 0.3), axis=0) + 1 for n in (1, 2, 3)}
+    says("At 1 GSD it is a grey pixel. At 3 GSD you see that something is there, and how large")
+    assert light[1] < 0.4
+    assert size[1].tolist() == [1, 1]
+    assert light[3] > 0.95
+    assert set(size[3].tolist()) == {3, 4}
+    lowest = 3 * 100 * plain.ground_sample_distance(FLIGHT.H + site.DEPTH, 8.8, 2.41)
+    assert numbers()["Smallest object found there"] == f"{lowest:.1f}"
 
 
 def test_overlaps():
@@ -82,6 +99,8 @@ def test_what_the_flight_planner_shows():
     assert [numbers(forward=f, side=30)[least] for f in (68, 70, 72, 74, 76)] == ["2"] * 4 + ["3"]
     flat = [numbers(forward=f, side=30, hilly=False)[least] for f in (66, 68)]
     assert flat == ["2", "3"]
+    assert numbers()["Area hidden from some pictures"] == "4"
+    says("are hatched: 4 % of the area, with the flight of section 10")
     says("1. 34 % of the area; on flat ground 44 %.", "2. 76 %. (On flat ground 68 %")
     assert (numbers()["Pictures"], numbers()["Time in the air"]) == ("54 in 3 lines", "2.5")
     fine = numbers(gsd=1)

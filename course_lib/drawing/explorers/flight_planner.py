@@ -27,6 +27,7 @@ from course_lib.drawing.planning.site import (
 from course_lib.drawing.planning.site import drones as known_drones
 from course_lib.drawing.style import ROLES, rgb
 from course_lib.planning import FlightPlan, ground_sample_distance, max_speed
+from course_lib.planning.flight import SMALLEST_OBJECT
 
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
@@ -101,6 +102,7 @@ def _numbers(plan: FlightPlan, counted: Counted, flying: Drone, hilly: bool) -> 
         Readout("Area hidden from some pictures", "", f"{partly:.0f}", "%"),
         Readout("Fewest pictures of a place", "", least),
         Readout("GSD on the lowest ground", "", f"{100 * floor:.2f}", "cm"),
+        Readout("Smallest object found there", "", f"{100 * SMALLEST_OBJECT * floor:.1f}", "cm"),
     )
 
 
