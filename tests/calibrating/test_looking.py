@@ -222,6 +222,8 @@ class TestReading:
         photo = look_at_photo(tmp_path / "a.jpg", BOARD)
         assert photo.used
         assert photo.verdict == "All 7 × 5 corners found."
+        scale = np.divide(large.size, small.size)  # the first corner is 60 px from the edges
+        np.testing.assert_allclose(photo.detection.points[0], 60 * scale - 0.5, atol=1)
 
     def test_more_pixels_than_pillow_likes(self, tmp_path, monkeypatch):
         Image.new("L", (40, 30)).save(tmp_path / "a.png")
