@@ -120,6 +120,10 @@ def test_the_meeting_point_lies_on_both_lines():
     assert y == pytest.approx(-0.4 * x - 0.7)
 
 
+def test_no_number_of_the_meeting_point_is_minus_zero():
+    assert "(0.00, -3.00)" in MEET(0.5, -3, -2, -3).in_words()
+
+
 def test_parallel_lines_meet_at_infinity_in_their_direction():
     frame = MEET(0.5, 1, 0.5, -1)
     point = value(frame, "They meet in").value

@@ -65,7 +65,7 @@ def _words(point: Floats) -> str:
         return "everywhere: it is one line"
     if point[2] == 0:
         return f"at infinity, direction ({point[0]:.3g}, {point[1]:.3g})"
-    x, y = point[:2] / point[2]
+    x, y = (point[:2] / point[2]).round(2) + 0.0  # never -0
     return f"({x:.2f}, {y:.2f})"
 
 
