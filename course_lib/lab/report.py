@@ -174,11 +174,11 @@ def _thumbnails(work: Work) -> list[tuple[str, NDArray[np.uint8]]]:
 
 
 def _length(result: Result, pointing: float) -> Length:
-    cuttings = tuple(_cutting(shot.photograph, ends) for shot, ends in result.pointed)
+    cuttings = tuple(cutting(shot.photograph, ends) for shot, ends in result.pointed)
     return Length(f"{result.said}. {result.taken(pointing)}", result.length.parts, cuttings)
 
 
-def _cutting(
+def cutting(
     photograph: NDArray[np.uint8], ends: NDArray[np.float64]
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
     """Return what is around a length, at most 300 px wide or high, and its ends there."""
@@ -189,10 +189,10 @@ def _cutting(
     low = np.clip(np.floor(ends.min(axis=0) - margin), 0, None).astype(int)
     high = np.minimum(np.ceil(ends.max(axis=0) + margin), (width, height)).astype(int)
     part = photograph[low[1] : high[1], low[0] : high[0]]
-    scale = min(1.0, 300 / max(part.shape[:2]))
-    size = (max(1, round(part.shape[1] * scale)), max(1, round(part.shape[0] * scale)))
-    small = cv2.resize(part, size, interpolation=cv2.INTER_AREA)
-    return np.asarray(small, np.uint8), (ends - low + 0.5) * scale - 0.5
+    full = high - low
+    size = np.maximum(1, np.rint(full * min(1.0, 300 / full.max()))).astype(int)
+    small = cv2.resize(part, size.tolist(), interpolation=cv2.INTER_AREA)
+    return np.asarray(small, np.uint8), (ends - low + 0.5) * (size / full) - 0.5
 
 
 def _numbers(work: Work, results: Sequence[Result]) -> dict[str, Any]:

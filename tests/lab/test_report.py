@@ -15,8 +15,8 @@ import pytest
 from course_lib import lab
 from course_lib.distortion import distort_pixels
 from course_lib.lab import supplied
-from course_lib.lab.lines import who_and_when
-from course_lib.lab.report import FILE, read_report
+from course_lib.lab.lines import report_lines, who_and_when
+from course_lib.lab.report import FILE, MOST, cutting, read_report
 from course_lib.measuring import Measured
 from data_generators import desk
 
@@ -215,6 +215,36 @@ def test_where_there_is_no_report_a_sentence_says_so(capsys, tmp_path):
         (tmp_path / FILE).write_text(broken)
         lab.show_report(tmp_path)
         assert "is no report as write_report makes it" in capsys.readouterr().out
+
+
+def test_a_file_that_is_too_large_is_not_read(tmp_path):
+    with (tmp_path / FILE).open("wb") as file:
+        file.truncate(MOST + 1)
+    assert read_report(tmp_path / FILE) == f"{FILE} is larger than a report can be."
+
+
+def test_of_many_photographs_set_aside_a_few_are_told(work):
+    torn = next(photo for photo in work.photos if photo.name == "torn.jpg")
+    many = replace(work, photos=(*work.photos, *[torn] * 11))
+    told = [line for line in report_lines(many, [], 0.5, 0.001) if line.startswith("✗")]
+    assert len(told) == 9
+    assert told[-1] == "✗ and 4 more"
+
+
+@pytest.mark.parametrize("away", [(0, 0), (700, 500)])
+def test_a_cutting_shows_both_ends_where_they_are(away):
+    """A spot of light at each end of a length, in a large photograph and beside its edge."""
+    ends = np.array([[60.0, 70], [1030, 400]]) + away
+    v, u = np.mgrid[:1000, :1800]
+    spots = [np.exp(-((u - x) ** 2 + (v - y) ** 2) / (2 * 12**2)) for x, y in ends]
+    photograph = np.repeat((250 * sum(spots)).astype(np.uint8)[..., None], 3, axis=2)
+    small, seen = cutting(photograph, ends)
+    assert max(small.shape[:2]) == 300
+    rows, columns = np.indices(small.shape[:2])
+    for x, y in seen:
+        light = small[..., 0] * (np.hypot(columns - x, rows - y) < 12)
+        centre = [(light * k).sum() / light.sum() for k in (columns, rows)]
+        np.testing.assert_allclose(centre, (x, y), atol=0.1)
 
 
 def test_who_grades_sees_the_picture(path, monkeypatch, capsys):
