@@ -58,6 +58,11 @@ def test_corners_are_where_the_truth_says(files, photos):
         assert np.sqrt(np.mean(apart**2)) < 0.1
 
 
+def test_there_is_a_truth_about_pictures_as_they_were_taken(files):
+    without = {"turned", "small copy", "zoomed", "HEIC", "letter"}
+    assert {file.what for file in files if file.camera is None} == without
+
+
 def test_held_in_any_way_it_is_one_camera(photos):
     """Upside down and in portrait, as the sensor had them; Exif says how they were held."""
     camera = solve(photos, desk.TARGET, CameraModel(coefficients=("k1", "k2"))).calibration
@@ -71,6 +76,8 @@ def test_exif(files):
         assert exif[0x0112] == 3
         assert dict(exif.get_ifd(PLACE_PART))[1] == "N"
         assert exif.get_ifd(EXIF_PART)[0xA405] == 25
+    with Image.open(of(files, "portrait").path) as picture:
+        assert picture.getexif()[0x0112] == 6
     with Image.open(of(files, "small copy").path) as picture:
         assert not picture.getexif()
 
