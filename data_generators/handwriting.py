@@ -144,9 +144,7 @@ class _Hand:
             if isinstance(node.op, ast.Mult | ast.Add) and self._often():
                 node.left, node.right = node.right, node.left
         elif isinstance(node, ast.Call):
-            plain = [a for a in node.args if not isinstance(a, ast.Starred)]
-            if len(plain) == len(node.args):
-                node.args = [self._part(argument, steps) for argument in node.args]
+            node.args = [self._part(argument, steps) for argument in node.args]
         return node
 
     def _part(self, node: ast.expr, steps: list[ast.stmt]) -> ast.expr:

@@ -22,6 +22,14 @@ def test_every_hand_writes_right_answers(name):
     assert len(seen) == 8
 
 
+def test_arguments_that_come_with_a_star_stay_so():
+    source = "def f(a, b):\n    return np.hypot(*(a + b)) + max(*a, 2 * b[0])"
+    for seed in range(6):
+        made = {"np": np}
+        exec(rewrite(source, np.random.default_rng(seed)), made)
+        assert made["f"](np.array([1.0, 2.0]), np.array([2.0, 2.0])) == 9.0
+
+
 def test_arguments_keep_their_names():
     renamed = rename(
         "def f(x, y):\n    z = x + y\n    x = z\n    return x", np.random.default_rng(0)
