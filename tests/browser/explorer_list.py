@@ -88,3 +88,5 @@ EXPLORERS = {
     "setup": ("planning", "setup_planner", "Plan a set-up", "Distance Z"),
     "flight": ("planning", "flight_planner", "Plan a flight", "Ground sampling distance GSD"),
 }
+#: Those with a photograph that the pointer reads; everything is tried on them.
+READABLE = ("aperture", "focal", "dolly", "depth", "corners")

@@ -1,16 +1,11 @@
 """The explorers as a reader meets them."""
 
-import cv2
 import numpy as np
 import pytest
-from explorer_list import EXPLORERS
+from explorer_list import EXPLORERS, READABLE
+from explorer_page import cells_with, drag, explorer_in, photograph, pixels, reset, settle
 from lab import run_all_cells, write_notebook
 
-from course_lib.drawing.explorers.epipolar import trail
-from course_lib.drawing.explorers.pairs import TOWARDS
-
-#: Those with a photograph that the pointer reads; everything is tried on them.
-READABLE = ("aperture", "focal", "dolly", "depth", "corners")
 each = pytest.mark.parametrize("explorer", EXPLORERS, indirect=True)
 each_readable = pytest.mark.parametrize("explorer", READABLE, indirect=True)
 CLUMSY = """
@@ -31,11 +26,7 @@ clumsy
 
 @pytest.fixture(scope="module")
 def page(lab, lab_page):
-    cells = [
-        f"from course_lib.widgets.{chapter} import {make}\n{key} = {make}()\n{key}"
-        for key, (chapter, make, _, _) in EXPLORERS.items()
-    ]
-    path = write_notebook(lab.folder / "explorers.ipynb", *cells, CLUMSY)
+    path = write_notebook(lab.folder / "explorers.ipynb", *cells_with(EXPLORERS), CLUMSY)
     page = lab_page(path)
     assert run_all_cells(page) == []
     return page
@@ -43,50 +34,10 @@ def page(lab, lab_page):
 
 @pytest.fixture
 def explorer(request, page):
-    *_, title, slider = EXPLORERS[request.param]
-    root = page.get_by_role("region", name=title)
-    root.scroll_into_view_if_needed()
+    root, slider = explorer_in(page, request.param), EXPLORERS[request.param][3]
     root.get_by_role("img").first.wait_for()
     yield root, root.get_by_role("slider", name=slider)
-    root.get_by_role("button", name="Reset").click()
-    settle(root)
-
-
-def settle(root):
-    """Wait until no new frame arrives for a moment."""
-    page = root.page
-    while True:
-        frame = root.get_attribute("data-frame")
-        page.wait_for_timeout(200)
-        if root.get_attribute("data-frame") == frame:
-            return
-
-
-def pixels(picture):
-    png = np.frombuffer(picture.screenshot(), np.uint8)
-    return cv2.imdecode(png, cv2.IMREAD_COLOR).astype(int)
-
-
-def photograph(root):
-    settle(root)
-    return pixels(root.get_by_role("img").first)
-
-
-def number(text):
-    """The number of a text that is typeset: with a minus sign and groups of three."""
-    return float(text.replace("\N{MINUS SIGN}", "-").replace("\N{NARROW NO-BREAK SPACE}", ""))
-
-
-def drag(slider, *stops):
-    """Drag a slider's thumb from where it is over places of its track, 0 to 1; let go there."""
-    box = slider.bounding_box()
-    share = slider.evaluate("(s) => (s.value - s.min) / (s.max - s.min)")
-    mouse, middle = slider.page.mouse, box["y"] + box["height"] / 2
-    mouse.move(box["x"] + 9 + share * (box["width"] - 18), middle)
-    mouse.down()
-    for stop in stops:
-        mouse.move(box["x"] + stop * box["width"], middle, steps=25)
-    mouse.up()
+    reset(root)
 
 
 @each
@@ -151,138 +102,21 @@ def test_the_keyboard_moves_it_and_the_notebook_does_not_take_the_keys(explorer)
 @each_readable
 def test_reset_brings_the_first_picture_back(explorer):
     root, slider = explorer
-    root.get_by_role("button", name="Reset").click()
+    reset(root)
     before, text = photograph(root), slider.get_attribute("aria-valuetext")
     slider.press("End")
     assert (photograph(root) != before).any()
-    root.get_by_role("button", name="Reset").click()
+    reset(root)
     np.testing.assert_array_equal(photograph(root), before)
     assert slider.get_attribute("aria-valuetext") == text
 
 
-@each_readable
-def test_the_pointer_reads_pixels_without_python(explorer):
-    root, _ = explorer
-    frame, picture = root.get_attribute("data-frame"), root.locator("figure").first
-    box = picture.locator("canvas").first.bounding_box()
-    root.page.mouse.move(box["x"] + box["width"] / 4, box["y"] + box["height"] / 2)
-    u = int(picture.locator(".ce-reading").inner_text().split("(")[2].split(",")[0])
-    assert abs(u - 480 / 4) <= 2
-    assert root.get_attribute("data-frame") == frame
-
-
-def test_the_keyboard_reads_pixels_too(page):
-    root = page.get_by_role("region", name=EXPLORERS["focal"][2])
-    picture = root.get_by_role("img").first
-    picture.press("ArrowRight")
-    reading = root.locator(".ce-reading").first
-    assert "(241, 160) px" in reading.inner_text()
-    picture.press("Shift+ArrowDown")
-    assert "(241, 170) px" in reading.inner_text()
-    assert "angle from the axis 1." in reading.inner_text()
-
-
-def test_a_spot_of_a_picture_can_be_dragged(page):
-    root = page.get_by_role("region", name=EXPLORERS["corners"][2])
-    root.scroll_into_view_if_needed()
-    root.get_by_role("button", name="Reset").click()
-    settle(root)
-    before = photograph(root)
-    box = root.get_by_role("img").first.bounding_box()
-    scale, mouse = box["width"] / 480, page.mouse
-    mouse.move(box["x"] + 350.5 * scale, box["y"] + 80.5 * scale)
-    mouse.down()
-    mouse.move(box["x"] + 300.5 * scale, box["y"] + 120.5 * scale, steps=12)
-    mouse.up()
-    settle(root)
-    for name, value in (("Top right u₃", 300), ("Top right v₃", 120)):
-        text = root.get_by_role("slider", name=name).get_attribute("aria-valuetext")
-        assert abs(int(text.removesuffix(" px")) - value) <= 1
-    assert (photograph(root) != before).mean() > 0.005
-    mouse.move(box["x"] + 200 * scale, box["y"] + 200 * scale)
-    frame = root.get_attribute("data-frame")
-    mouse.down()  # no spot is here
-    mouse.move(box["x"] + 240 * scale, box["y"] + 240 * scale, steps=5)
-    mouse.up()
-    settle(root)
-    assert root.get_attribute("data-frame") == frame
-
-
-def test_a_spot_that_moves_one_control_stays_in_its_column(page):
-    root = page.get_by_role("region", name=EXPLORERS["line"][2])
-    root.scroll_into_view_if_needed()
-    height, slope = root.get_by_role("slider", name="Height"), root.get_by_role("slider").first
-    before = float(height.get_attribute("aria-valuetext")), slope.get_attribute("aria-valuetext")
-    box = root.get_by_role("img").first.bounding_box()
-    scale, mouse = box["width"] / 440, page.mouse
-    at = [box["x"] + 52.5 * scale, box["y"] + (296.5 - 268 * (before[0] + 100) / 700) * scale]
-    mouse.move(*at)
-    mouse.down()
-    mouse.move(at[0] + 60 * scale, at[1] + 30 * scale, steps=8)
-    mouse.up()
-    settle(root)
-    moved = before[0] - float(height.get_attribute("aria-valuetext"))
-    assert abs(moved - 30 * 700 / 268) <= 3
-    assert slope.get_attribute("aria-valuetext") == before[1]
-    root.get_by_role("button", name="Reset").click()
-
-
-def test_marks_say_what_they_are_and_a_press_calls_the_spot(page):
-    root = page.get_by_role("region", name=EXPLORERS["residuals"][2])
-    root.scroll_into_view_if_needed()
-    root.get_by_role("button", name="Reset").click()
-    settle(root)
-    frame, cloud = root.get_attribute("data-frame"), root.locator("figure").first
-    box = cloud.locator("canvas").first.bounding_box()
-    scale, mouse = box["width"] / 300, page.mouse
-    mouse.move(box["x"] + 167.5 * scale, box["y"] + 145.5 * scale)  # the middle of all
-    reading = cloud.locator(".ce-reading").inner_text().split(" · ")
-    assert [text.split()[0] for text in reading] == ["view", "corner", "du", "dv", "residual"]
-    assert abs(number(reading[2].split()[1])) < 0.05
-    assert root.get_attribute("data-frame") == frame
-    mouse.down()
-    mouse.up()
-    settle(root)
-    assert root.get_attribute("data-frame") != frame
-    for name in ("Look at du", "Look at dv"):
-        text = root.get_by_role("slider", name=name).get_attribute("aria-valuetext")
-        assert abs(number(text.removesuffix(" px"))) < 0.05
-    root.get_by_role("button", name="Reset").click()
-
-
-def test_the_pointer_draws_its_ray_in_other_pictures_without_python(page):
-    root = page.get_by_role("region", name=EXPLORERS["epipolar"][2])
-    root.scroll_into_view_if_needed()
-    root.get_by_role("button", name="Reset").click()
-    settle(root)
-    frame, pictures = root.get_attribute("data-frame"), root.get_by_role("img").all()
-    before = [pixels(picture.locator("xpath=..")) for picture in pictures[1:3]]
-    box = pictures[0].bounding_box()
-    scale, seen = box["width"] / 340, []
-    for u, v in ((60, 60), (200, 200)):
-        page.mouse.move(box["x"] + (u + 0.5) * scale, box["y"] + (v + 0.5) * scale)
-        seen.append([pixels(picture.locator("xpath=..")) for picture in pictures[1:3]])
-        path = trail(TOWARDS, 1).path((u, v))
-        on = [p for p in np.linspace(*path, 400) if ((p > 12) & (p < (328, 243))).all()]
-        rows, columns = np.transpose([(p[::-1] + 0.5) * scale for p in on]).astype(int)
-        reds = seen[-1][0][rows, columns]  # BGR; labels of depths hide some
-        assert len(on) > 40
-        assert (np.abs(reds - (0xA7, 0x79, 0xCC)).max(axis=1) < 60).mean() > 0.6
-    for which in (0, 1):  # on the right, and from above
-        assert (seen[0][which] != before[which]).mean() > 0.003
-        assert (seen[0][which] != seen[1][which]).mean() > 0.003
-    page.mouse.move(box["x"] + 5, box["y"] - 60)
-    after = pixels(pictures[1].locator("xpath=.."))
-    np.testing.assert_array_equal(after, before[0])
-    assert root.get_attribute("data-frame") == frame
-
-
 def test_choices_and_switches_change_the_picture(page):
-    focal = page.get_by_role("region", name=EXPLORERS["focal"][2])
+    focal = explorer_in(page, "focal")
     before = photograph(focal)
     focal.get_by_role("radiogroup", name="Sensor").get_by_role("radio", name="DX").check()
     assert photograph(focal).shape != before.shape or (photograph(focal) != before).any()
-    dolly = page.get_by_role("region", name=EXPLORERS["dolly"][2])
+    dolly = explorer_in(page, "dolly")
     follower = dolly.get_by_role("slider", name="Focal length f")
     assert follower.is_disabled()
     dolly.get_by_role("slider", name="Distance Z").press("End")
@@ -295,32 +129,30 @@ def test_choices_and_switches_change_the_picture(page):
 
 
 def test_a_long_choice_is_a_list_and_a_picture_can_go(page):
-    root = page.get_by_role("region", name=EXPLORERS["setup"][2])
-    root.scroll_into_view_if_needed()
+    root = explorer_in(page, "setup")
     view = root.get_by_role("img").first
     assert photograph(root).mean() < 200
     root.get_by_role("combobox", name="Lens").select_option("Computar M3514-MP")
     settle(root)
     assert "mount" in view.get_attribute("aria-label")
     assert photograph(root).mean() > 250  # white paper, not the black of a canvas without one
-    root.get_by_role("button", name="Reset").click()
-    settle(root)
+    reset(root)
     assert root.get_by_role("combobox", name="Lens").input_value() == "Zeiss Milvus 1.4/85"
 
 
 def test_numbers_are_typeset(page):
-    root = page.get_by_role("region", name=EXPLORERS["rays"][2])
+    root = explorer_in(page, "rays")
     slider = root.get_by_role("slider", name="Object distance Z")
     slider.press("End")
     settle(root)
     assert slider.get_attribute("aria-valuetext") == "1\u202f000\u202f000 mm"
-    root.get_by_role("button", name="Reset").click()
-    lens = page.get_by_role("region", name=EXPLORERS["lens"][2])
+    reset(root)
+    lens = explorer_in(page, "lens")
     lens.get_by_role("slider", name="Radial k₁").press("Home")
     settle(lens)
     text = lens.get_by_role("slider", name="Radial k₁").get_attribute("aria-valuetext")
     assert text == "\N{MINUS SIGN}0.60"
-    lens.get_by_role("button", name="Reset").click()
+    reset(lens)
 
 
 def test_an_error_is_said_and_the_next_picture_clears_it(page):
