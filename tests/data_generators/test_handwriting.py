@@ -20,6 +20,15 @@ def test_every_hand_writes_right_answers(name):
             assert expected_points(exercise, made[exercise.function_name]) == exercise.points
             seen.add(source)
     assert len(seen) == 8
+    assert not [source for source in seen if "check_" in source]
+
+
+def test_new_names_are_none_of_those_that_are_taken():
+    source = "def f(a, b, x, y, z):\n    q = a + b\n    p = q * x\n    return p + y * z + q"
+    for seed in range(20):
+        made = {}
+        exec(rename(source, np.random.default_rng(seed)), made)
+        assert made["f"](1, 2, 3, 4, 5) == 32
 
 
 def test_arguments_that_come_with_a_star_stay_so():
