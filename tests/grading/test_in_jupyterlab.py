@@ -1,13 +1,16 @@
 """nbgrader's buttons in a real JupyterLab: formgrader for the instructor, Validate for students."""
 
+import json
+
 import nbformat
 import pytest
 from lab import Lab, browser, chromium, open_notebook
 from nbgrader.api import Gradebook
+from small_course import run
 
 from course_lib.exercises import all_exercises
 from course_lib.judging import Exercise
-from data_generators.classes import Simulation, write_submissions
+from data_generators.classes import WORDS, Simulation, Submission, write_submissions
 from data_generators.typed_answers import misconceived, right
 
 pytestmark = [
@@ -67,6 +70,61 @@ def test_formgrader_lists_grades_and_shows_the_rubric(released_term, first_mista
     text = page.inner_text("body")
     assert all(hint.replace("`", "") in text for hint in first_mistakes.hints)
     assert page.locator("input.score").count() == len(first_mistakes.points) + 1
+
+
+GIVES_ITSELF_POINTS = """Because the camera stood far away.
+
+<img src="none.png" onerror="document.body.dataset.ran = 'handler'">
+<script>
+document.body.dataset.ran = "script";
+const same = {"X-CSRFToken": document.cookie.match(/_xsrf=([^;]+)/)[1]};
+const grades = base_url + "/api/grades?submission_id=" + submission_id;
+fetch(grades, {headers: same}).then(answer => answer.json()).then(all => Promise.all(all.map(
+    one => fetch(base_url + "/api/grade/" + one.id,
+        {method: "PUT", headers: same, body: JSON.stringify({manual_score: 99})})
+))).then(() => {document.body.dataset.points = "given"});
+</script>
+"""
+
+
+def points_by_hand(term, student):
+    """Return what a person gave, and where the notebook is shown."""
+    with Gradebook(f"sqlite:///{term}/gradebook.db") as gradebook:
+        (notebook,) = gradebook.find_submission(ASSIGNMENT, student).notebooks
+        return {grade.manual_score for grade in notebook.grades}, notebook.id
+
+
+def test_a_students_words_do_not_run_where_points_are_given(new_term, submissions, open_lab):
+    term = new_term("hostile", [])
+    content = submissions["right"].content.replace(
+        json.dumps(WORDS).encode(), json.dumps(GIVES_ITSELF_POINTS).encode()
+    )
+    everybody = [Submission(name, content, None) for name in ("by-command", "by-button")]
+    assert b"onerror" in content
+    write_submissions(term, ASSIGNMENT, everybody)
+    graded = run("course", "grade", ASSIGNMENT, "--student", "by-command", cwd=term)
+    assert graded.returncode == 0, graded.stderr
+    lab, page = open_lab(term)
+    page.goto(f"{lab.url}/lab?token={lab.token}&reset")
+    page.goto(f"{lab.url}/formgrader/manage_submissions/{ASSIGNMENT}")
+    page.locator("tr", has_text="by-button").locator(".autograde a").click()
+    page.get_by_text("Successfully autograded").wait_for(timeout=120_000)
+    for submission in everybody:
+        _, notebook = points_by_hand(term, submission.student)
+        page.goto(f"{lab.url}/formgrader/submissions/{notebook}/", wait_until="networkidle")
+        assert "Because the camera stood far away." in page.inner_text("body")
+        assert "fetch(grades" in page.locator("pre", has_text="<script>").inner_text()  # as typed
+        assert page.evaluate("document.body.dataset.ran") is None
+        assert points_by_hand(term, submission.student)[0] == {None}
+
+    # The attack is a real one: it works where the words stand as they were handed in.
+    place = term / "autograded/by-command" / ASSIGNMENT / f"{ASSIGNMENT}.ipynb"
+    place.chmod(0o644)
+    place.write_bytes(content)
+    _, notebook = points_by_hand(term, "by-command")
+    page.goto(f"{lab.url}/formgrader/submissions/{notebook}/")
+    page.wait_for_function("document.body.dataset.points == 'given'")
+    assert points_by_hand(term, "by-command")[0] == {99}
 
 
 def test_validate_says_what_is_wrong(first_mistakes, tmp_path, open_lab):
