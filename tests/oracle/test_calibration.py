@@ -215,9 +215,8 @@ class TestPublished:
             assert (np.abs(ours - published) < 2.5 * np.array(sigma)).all()
 
 
-@pytest.mark.parametrize(("sets", "starts"), [(40, NO_START), (3, BAD_STARTS)])
-def test_as_often_right_as_opencv(sets, starts):
-    """Of sets of all kinds, and from bad starts, the right minimum is found at least as often."""
-    ours, *theirs = reached(range(sets), starts).mean(axis=0)
-    assert ours == 1
-    assert ours >= max(theirs)
+# From some of the starts, sets 9 and 10 come to the right minimum by the closed form only.
+@pytest.mark.parametrize(("seeds", "starts"), [(range(40), NO_START), ((0, 9, 10), BAD_STARTS)])
+def test_the_right_minimum(seeds, starts):
+    """Of sets of all kinds, and from bad starts, none ends above OpenCV or a start at the truth."""
+    assert reached(seeds, starts)[:, 0].all()
