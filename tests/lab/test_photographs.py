@@ -43,6 +43,15 @@ def test_a_torn_photograph_is_named_with_its_reason(work):
     assert "copy it again" in torn.verdict
 
 
+def test_corners_are_marked_where_they_count(work):
+    photo, torn = work.photos[0], next(p for p in work.photos if p.name == "torn.jpg")
+    coloured = lambda picture: (picture[..., 0] != picture[..., 2]).sum()  # noqa: E731
+    assert coloured(photographs.marked(photo)) > 54
+    assert coloured(photographs.marked(replace(photo, used=False))) == 0
+    assert photographs.marked(photo, 160).shape == (120, 160, 3)
+    assert photographs.marked(torn) is None
+
+
 def test_a_length_on_the_plane_is_right(work):
     shot = lab.shot(work, "m1.jpg", unevenness=0.1)
     assert shot.photograph.shape == (480, 640, 3)

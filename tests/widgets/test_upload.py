@@ -78,8 +78,12 @@ def test_a_part_that_is_lost_is_told(box, tmp_path):
     box.hear(b"ure!", view="a", name="x.jpg", size=12, start=8, last=True)
     assert "did not arrive whole" in box.rows[0]["words"]
     assert not (tmp_path / "deep").exists()
+    for start in (0, 4, 4):  # one of them twice
+        box.hear(b"four", view="a", name="z.jpg", size=12, start=start, last=False)
+    box.hear(b"", view="a", name="z.jpg", size=12, start=12, last=True)
+    assert "did not arrive whole" in box.rows[1]["words"]
     drop(box, "y.jpg", b"picture")
-    assert box.rows[1]["used"]
+    assert box.rows[2]["used"]
 
 
 def test_the_same_file_again_replaces_its_row(box):
