@@ -17,6 +17,8 @@ Kind = Literal[
     "right", "not attempted", "raised", "time limit", "type", "shape", "values", "ready-made"
 ]
 
+#: Types of what Python makes one by one: not a list yet.
+ONE_BY_ONE = ("map", "zip", "filter", "generator", "range", "set", "dict_values")
 COARSE = " Its numbers are kept with 7 digits (float32); float64 has 16."
 
 
@@ -197,7 +199,8 @@ def _sentence(given: Answer, reveal: bool) -> str:
         "library loaded in it? An `import` belongs before the function."
         if given.message
         else "Not tried, because an answer before it took too long.",
-        "not plain": f"The answer is of the type {given.message}; arrays and numbers are expected.",
+        "not plain": f"The answer is of the type {given.message}; arrays and numbers are expected."
+        + " Make a list of it: `list(…)`." * (given.message in ONE_BY_ONE),
         "too large": f"The answer is far too large ({given.message}).",
     }[given.status]
 

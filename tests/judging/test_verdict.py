@@ -84,6 +84,15 @@ def test_numbers_with_few_digits_are_told():
         assert ("float64 has 16" in found.parts[0].feedback.message) == told
 
 
+@pytest.mark.parametrize(
+    ("make", "told"), [(lambda values: (v for v in values), True), (lambda values: object(), False)]
+)
+def test_what_is_no_answer_yet_is_told_how_to_become_one(make, told):
+    message = verdict(lambda values, factor: make(factor * values)).parts[0].feedback.message
+    assert "arrays and numbers are expected" in message
+    assert ("`list(…)`" in message) == told
+
+
 def test_full_answer():
     full = verdict(lambda values, factor: np.array([factor * v for v in values]))
     assert (full.points, full.possible, full.hints) == (4, 4, ())
