@@ -34,23 +34,12 @@ def _alone(what: str, folder: str) -> bytes:
 
 
 def write(folder: str) -> None:
-    """Write the files; photographs are drawn at half their size and enlarged."""
+    """Draw the files in full size, with the noise of their own pixels: a minute and 1.6 GB."""
     import numpy as np
-    from PIL import Image
 
     from data_generators.phone import write_phone_files
 
-    half = SIZE[0] // 2, SIZE[1] // 2
-    for file in write_phone_files(
-        Path(folder), np.random.default_rng(0), good=GOOD, image_size=half
-    ):
-        if file.what in ("HEIC", "letter"):
-            continue
-        with Image.open(file.path) as picture:
-            large = picture.resize(
-                (2 * picture.width, 2 * picture.height), Image.Resampling.BICUBIC
-            )
-            large.save(file.path, quality=92, exif=picture.getexif())
+    write_phone_files(Path(folder), np.random.default_rng(0), good=GOOD, image_size=SIZE)
 
 
 def measured(folder: str) -> None:
