@@ -18,7 +18,7 @@ import time
 from contextlib import suppress
 from typing import Any, NoReturn
 
-from course_lib.sandbox import walls, wire
+from course_lib.sandbox import calls, walls, wire
 from course_lib.sandbox.limits import Allowance
 from course_lib.sandbox.memory import MemoryWatch
 
@@ -122,6 +122,8 @@ def _enter(lines: list[socket.socket], allowance: Allowance, nests: bool, walled
             walls.settle(allowance, user)
         walls.adopt()
         walls.limit(allowance)
+        if walled:
+            calls.forbid()
         if os.fork() == 0:
             _become_notebook(lines, allowance)
         _wait_for_all(lines)

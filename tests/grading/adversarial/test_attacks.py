@@ -13,7 +13,7 @@ from nbformat.v4 import new_code_cell, new_notebook
 from walls import walled
 
 from course_lib.exercises import find
-from course_lib.grading.marking import mark
+from course_lib.grading.marking import CRASH, REASONS, mark
 from course_lib.grading.outside import Judge, Submitted
 from course_lib.grading.seeding import write_key
 from course_lib.grading.submissions import files_beside
@@ -66,12 +66,21 @@ def notebook(attack: Attack, after: str = ""):
 
 
 def graded(judge, attack: Attack, after: str = "", files=None):
-    """Return the points of both answers, and all words that reach a person."""
+    """Return the points of both answers, and all words that reach a person.
+
+    Wherever points are lost, there is a sentence.
+    """
     submitted = notebook(attack, after)
     outcome = judge.judge(Submitted(submitted, SEED, (), files or {}))
     mark(submitted, outcome)
     verdicts = [outcome.verdicts[k] for k in sorted(outcome.verdicts)]
     points = [0.0 if verdict is None else verdict.points for verdict in verdicts]
+    for place, verdict in outcome.verdicts.items():
+        if verdict is None:
+            assert submitted.cells[place].outputs[0].evalue in {CRASH, *REASONS.values()}
+        else:
+            lost = [part for part in verdict.parts if part.points < part.possible]
+            assert all(re.search(r"\w+ \w+ \w+.*[.?]$", part.feedback.message) for part in lost), lost
     words = [to_text(verdict) for verdict in verdicts if verdict is not None]
     words += [str(cell.outputs) for cell in submitted.cells]
     return points, "\n".join(words)
@@ -90,7 +99,8 @@ def everybody_is_well(judge):
 def test_no_point_is_gained(judge, name):
     attack = FORGERIES.get(name) or VALUES[name]
     points, words = graded(judge, attack)
-    assert points == [attack.first, attack.second]
+    assert points[0] == attack.first
+    assert attack.second is None or points[1] == attack.second
     assert attack.says in words
 
 
@@ -98,7 +108,8 @@ def hidden_numbers():
     """Return the beginnings of the hidden focal lengths."""
     exercise = find("pinhole.dolly_zoom")
     cases = pose(exercise, seed_for(SEED, exercise.name))
-    return [repr(float(next(iter(case.inputs.values()))))[:6] for case in cases]
+    numbers = [repr(float(next(iter(case.inputs.values()))))[:6] for case in cases]
+    return [*numbers, *(number.replace(".", "") for number in numbers)]
 
 
 @pytest.mark.parametrize("name", LEAKS)
