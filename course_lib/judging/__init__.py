@@ -10,15 +10,7 @@ Nothing here knows Jupyter or files.
 """
 
 from course_lib.judging.answering import Answer, OwnAnswers, answer
-from course_lib.judging.comparison import (
-    Close,
-    Exactly,
-    ImageClose,
-    RaySet,
-    RotationClose,
-    UpToScale,
-    YesOrNo,
-)
+from course_lib.judging.comparison import Close, Exactly, YesOrNo
 from course_lib.judging.exercise import (
     Case,
     Exercise,
@@ -29,6 +21,7 @@ from course_lib.judging.exercise import (
     Raises,
     ValuesExercise,
 )
+from course_lib.judging.geometric import ImageClose, RaySet, RotationClose, UpToScale
 from course_lib.judging.limits import Limits
 from course_lib.judging.posing import pose, seed_for
 from course_lib.judging.verdict import Feedback, PartVerdict, Verdict, judge
