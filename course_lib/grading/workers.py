@@ -6,12 +6,13 @@ again by another. Only when that ends a worker again, it is set aside.
 
 from __future__ import annotations
 
+import gc
 import signal
 import sys
 import time
 from collections import deque
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing import connection, get_context
 from typing import Any
@@ -67,12 +68,27 @@ def grade_all(
         In the order in which they are done.
     """
     team = _Team(assignment, manner, students)
+    with memory_stays_shared():
+        try:
+            team.begin(min(workers, len(students)))
+            while team.is_busy():
+                yield from team.next_done()
+        finally:
+            team.stop()
+
+
+@contextmanager
+def memory_stays_shared() -> Iterator[None]:
+    """Keep the collector from what is there already, here and in processes that are forked.
+
+    It would write to every object, and memory that is written to is no longer shared.
+    """
+    gc.collect()
+    gc.freeze()
     try:
-        team.begin(min(workers, len(students)))
-        while team.is_busy():
-            yield from team.next_done()
+        yield
     finally:
-        team.stop()
+        gc.unfreeze()
 
 
 class _Team:
