@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import nbformat
 import numpy as np
 import pytest
@@ -7,10 +9,16 @@ from small_course import write_course
 from course_lib.authoring.building import build
 from course_lib.authoring.expansion import grade_id
 from course_lib.exercises import all_exercises, find
-from course_lib.judging import Exercise, ValuesExercise
+from course_lib.judging import Exercise, Misconception, ValuesExercise
 from data_generators.classes import TIMESTAMP, simulate_class, write_submissions
 from data_generators.mishaps import NOISES, TROUBLES
-from data_generators.typed_answers import expected_points, right
+from data_generators.typed_answers import (
+    UnsteadyError,
+    expected_points,
+    misconceived,
+    right,
+    wrong_answers,
+)
 
 EXERCISES = [e for e in all_exercises("pinhole") if isinstance(e, Exercise)]
 
@@ -62,6 +70,19 @@ def test_who_renames_parameters_renames_them_everywhere():
     exec(right(exercise, other).source, namespace)
     assert expected_points(exercise, namespace["refine_point"]) == exercise.points
     assert "def refine_point(guess, " in right(exercise, other).source
+
+
+def right_at_times(f, Z, Z_new):
+    return f * Z_new / Z + int(1000 * np.sum(Z)) % 2
+
+
+def test_wrong_answers_whose_points_depend_on_the_numbers_are_left_out():
+    exercise = find("pinhole.dolly_zoom")
+    unsteady = Misconception(right_at_times, "When?")
+    mixed = replace(exercise, misconceptions=[unsteady, exercise.misconceptions[0]])
+    with pytest.raises(UnsteadyError, match=r"right_at_times earns .*, depending on the seed"):
+        misconceived(mixed, unsteady)
+    assert [one.hint for one in wrong_answers(mixed)] == [exercise.misconceptions[0].hint]
 
 
 def test_points_are_between_nothing_and_all(submissions):

@@ -4,6 +4,7 @@ import pytest
 
 from course_lib.camera import Camera, image_centre
 from course_lib.optics import circle_of_confusion
+from course_lib.transforms import rotation_about_axis
 from data_generators.defocus import DefocusedView, levels
 from data_generators.lens import Lens
 from data_generators.quick import QuickRenderer
@@ -176,8 +177,11 @@ class TestQuick:
     def test_another_camera_another_picture(self):
         # Layers are kept from picture to picture: the order of pictures must not matter.
         view = DefocusedView(steps())
-        lenses = Lens(50, 2, 1000), Lens(35, 2, 1000), Lens(50, 8, 3000)
+        lenses = [Lens(50, 2, 1000), Lens(35, 2, 1000), Lens(50, 8, 3000)]
         cameras = [camera_of(lens, (96, 72), 0.4) for lens in lenses]
+        K, size, turn = cameras[0].K, (96, 72), rotation_about_axis((0, 1, 0), 0.2)
+        cameras += [Camera(K, turn, np.zeros(3), size), Camera(K, np.eye(3), [0.2, 0, 0], size)]
+        lenses += [lenses[0]] * 2
         first = [view.picture(c, lens) for c, lens in zip(cameras, lenses, strict=True)]
         assert view.picture(cameras[0], lenses[0]).shape == (72, 96, 3)
         for camera, lens, picture in zip(cameras, lenses, first, strict=True):
