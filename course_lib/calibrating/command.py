@@ -95,10 +95,10 @@ def _target(options: argparse.Namespace) -> int:
 
 
 def _calibrate(options: argparse.Namespace) -> int:
+    from course_lib.calibrating.finding import find_photos, left_out
     from course_lib.calibrating.judgement import judge
     from course_lib.calibrating.looking import look_at_photos
     from course_lib.calibrating.output import check_output
-    from course_lib.calibrating.pictures import find_photos, left_out
     from course_lib.calibrating.report import write_report
     from course_lib.calibrating.solving import solve
     from course_lib.calibration import CameraModel

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from course_lib.boards import Board
+from course_lib.calibrating.finding import find_photos, left_out
 from course_lib.calibrating.judgement import Judgement, judge
 from course_lib.calibrating.looking import Photo, check_board, look_at_photos
-from course_lib.calibrating.pictures import find_photos, left_out
 from course_lib.calibrating.solving import Solved, solve
 from course_lib.calibration import Calibration, CameraModel
 from course_lib.checks import DegenerateConfigurationError

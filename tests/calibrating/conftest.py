@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from course_lib.boards import Checkerboard
+from course_lib.calibrating.finding import find_photos
 from course_lib.calibrating.judgement import judge
 from course_lib.calibrating.looking import look_at_photos
-from course_lib.calibrating.pictures import find_photos
 from course_lib.calibrating.solving import solve
 from course_lib.calibration import CameraModel
 from data_generators.calibration_sets import calibration_set

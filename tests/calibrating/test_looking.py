@@ -6,11 +6,10 @@ import pytest
 from PIL import Image, TiffImagePlugin
 
 from course_lib.boards import Checkerboard
+from course_lib.calibrating.finding import find_photos, left_out
 from course_lib.calibrating.looking import look_at_photo, look_at_photos
 from course_lib.calibrating.pictures import (
     SetAside,
-    find_photos,
-    left_out,
     read_grey,
     read_header,
     read_rgb,
