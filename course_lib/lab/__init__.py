@@ -8,6 +8,7 @@ from course_lib.lab.figures import (
     from_above,
     lens_bend,
     rays,
+    straightened,
 )
 from course_lib.lab.numbers import number, say_pointing
 from course_lib.lab.photographs import Work, calibrate, look
@@ -52,5 +53,6 @@ __all__ = [
     "say_pointing",
     "shot",
     "show_report",
+    "straightened",
     "write_report",
 ]

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from course_lib.distortion import straightness, undistort_pixels
 from course_lib.drawing import lab as draw
 from course_lib.lab.photographs import Work, marked
 from course_lib.lab.results import Result, rays_angle_deg
 from course_lib.lab.shots import Shot
 from course_lib.lab.words import say
 from course_lib.measuring import point_in_space, point_on_plane
+from course_lib.remapping import undistort_picture
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -40,6 +43,28 @@ def lens_bend(work: Work) -> Figure:
     """Show by how much the lens moves what a pinhole would show."""
     camera = work.camera
     return draw.lens_bend(camera.K, camera.coefficients, camera.image_size)
+
+
+def straightened(work: Work) -> Figure | None:
+    """Show a photograph before and after undistorting: that with the most bent row of corners."""
+    camera, columns, count = work.camera, work.target.columns, len(work.target.points())
+    whole = [
+        (photo, photo.detection.points.reshape(-1, columns, 2))
+        for photo in work.photos
+        if photo.used and photo.detection is not None and len(photo.detection.points) == count
+    ]
+    if not whole:
+        say("In no photograph all corners of the target were found, so there is no figure here.")
+        return None
+    every = [(straightness(row), photo, row) for photo, rows in whole for row in rows]
+    _, photo, row = max(every, key=itemgetter(0))
+    assert photo.thumbnail is not None
+    scale = photo.thumbnail.shape[1] / camera.image_size[0]
+    K = camera.K * [[scale], [scale], [1]]
+    K[:2, 2] += (scale - 1) / 2  # corners of pixels stay corners: they are at -0.5
+    straight = undistort_picture(photo.thumbnail, K, camera.coefficients)
+    after = undistort_pixels(row, camera.K, camera.coefficients)
+    return draw.straightened((photo.thumbnail, straight), (row, after), camera.image_size)
 
 
 def from_above(work: Work, shot: Shot, ends: ArrayLike | None = None, text: str = "") -> Figure:

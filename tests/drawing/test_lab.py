@@ -25,6 +25,12 @@ THUMBNAIL = draw.thumbnail(VIEW.picture[..., 1], BOARD)
 EYES = [np.array([-43.0, 303.0, -386.0]), np.array([414.0, 312.0, -386.0])]
 
 
+GREY = np.full((120, 160), 200, np.uint8)
+#: A slanted row of corners, its middle one 0.8 px above it, and others 0.4 px below.
+STRAIGHT = np.array([[100.0, 100], [200, 110], [300, 120]])
+BENT = STRAIGHT + np.array([[0, 0.4], [0, -0.8], [0, 0.4]])
+
+
 def page():
     pictures = ((VIEW.picture, np.array([[420.0, 250.0], [500.0, 270.0]])),)
     lengths = [Length("card: 85.6 mm ± 0.9 mm", PARTS, pictures * n) for n in (1, 2)]
@@ -47,6 +53,7 @@ FIGURES = {
     "ray_and_plane": draw.ray_and_plane,
     "rays_from_above": lambda: draw.rays_from_above(desk.TARGET.points(), EYES, LID, 51.0),
     "report_page": page,
+    "straightened": lambda: draw.straightened((GREY, GREY), (BENT, STRAIGHT), SIZE),
     "ruler_and_camera": lambda: draw.ruler_and_camera(
         ["card", "lid"], [0.1, -0.3], [0.9, 0.7], [0.5, 0.5]
     ),
@@ -99,6 +106,17 @@ def test_the_lens_is_drawn_as_it_is_but_longer():
     longest = float(ax.get_title(loc="left").split()[-2])
     assert np.linalg.norm(moved) / times == pytest.approx(longest, abs=0.05)
     assert longest > 1
+
+
+def test_a_row_of_corners_is_drawn_more_bent_than_it_is():
+    before, after = FIGURES["straightened"]().axes
+    assert before.get_title(loc="left") == "as taken: 0.80 px off a line, drawn 20 ×"
+    assert after.get_title(loc="left") == "straightened: 0.00 px off a line, drawn 20 ×"
+    (bent,), (straight,) = (lines(ax, "camera") for ax in (before, after))
+    np.testing.assert_allclose(straight, STRAIGHT, atol=1e-9)
+    middle = (bent[0] + bent[2]) / 2
+    assert middle[1] - bent[1, 1] == pytest.approx(20 * 1.2, rel=0.02)
+    assert all(ax.images[0].get_extent() == [-0.5, 639.5, 479.5, -0.5] for ax in (before, after))
 
 
 def test_from_above_squares_are_squares():

@@ -3,6 +3,7 @@
 import ast
 import os
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -58,6 +59,15 @@ def test_photographs_and_camera(cells):
     assert (work.judgement.coverage.counts > 0).sum() == 45
     assert cells["fx_found"].text("px") == "881.96 px ± 0.14 px (95 %)"
     np.testing.assert_allclose(work.camera.K, desk.intrinsics((1200, 900)), atol=0.4)
+
+
+def test_a_straightened_photograph(cells, capsys):
+    TEXT.says("It was off by 0.42 px, and 0.04 px are left.")
+    before, after = (ax.get_title(loc="left") for ax in lab.straightened(cells["work"]).axes)
+    assert before == "as taken: 0.42 px off a line, drawn 100 ×"
+    assert after == "straightened: 0.04 px off a line, drawn 100 ×"
+    assert lab.straightened(replace(cells["work"], photos=())) is None
+    assert "so there is no figure here" in capsys.readouterr().out
 
 
 def test_the_card(cells):

@@ -155,11 +155,64 @@ def _moves(ax: Axes, pixels: Floats, moved: Floats, size: tuple[int, int]) -> tu
     """Draw moves as lines; return the longest one, px, and how many times longer they are drawn."""
     lengths = np.linalg.norm(moved, axis=1)
     longest = float(np.nanmax(lengths))
-    wanted = 0.05 * size[0] / max(longest, 1e-9)
-    power = 10.0 ** np.floor(np.log10(wanted))
-    far = float(max(step * power for step in (1, 2, 5) if step * power <= wanted))
+    far = _times(longest, size)
     lines = np.stack([pixels, pixels + far * moved], axis=1)
     for line in lines:
         ax.plot(*line.T, "-", color=ROLES["camera"], lw=1.2)
     ax.plot(*pixels.T, ".", ms=2, color=GREY)
     return longest, far
+
+
+def _times(longest: float, size: tuple[int, int]) -> float:
+    """Return how many times as long as it is a move is drawn to be seen: 1, 2, 5, 10 and so on."""
+    wanted = 0.05 * size[0] / max(longest, 1e-9)
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(max(step * power for step in (1, 2, 5) if step * power <= wanted))
+
+
+@figure(
+    "A photograph as taken and straightened; a row of corners, drawn more bent than it is, is "
+    "straight in the second."
+)
+def straightened(
+    photographs: Sequence[Pixels], rows: Sequence[ArrayLike], size: tuple[int, int]
+) -> Figure:
+    """Show what undistorting does to a photograph, and to a row of the target's corners.
+
+    Parameters
+    ----------
+    photographs : two ndarray, shape (h, w), uint8
+        Before and after; they may be smaller than they were taken.
+    rows : two array_like, shape (N, 2)
+        Corners that lie on a straight line of the target, px of the photograph as taken.
+    size : tuple of int
+        Its width and height, px.
+
+    Returns
+    -------
+    Figure
+        Two pictures.
+    """
+    offsets = [_off_line(np.asarray(row, float)) for row in rows]
+    far = _times(float(np.abs(offsets[0][0]).max()), size)
+    fig, axes = panels(1, 2, (FULL_WIDTH, FULL_WIDTH / 2 * size[1] / size[0] + 0.5))
+    names = ("as taken", "straightened")
+    for ax, picture, row, (off, normal), name in zip(
+        axes, photographs, rows, offsets, names, strict=True
+    ):
+        picture_frame(ax, size)
+        ax.imshow(picture, extent=(-0.5, size[0] - 0.5, size[1] - 0.5, -0.5), vmin=0, vmax=255)
+        on_line = np.asarray(row, float) - off[:, None] * normal
+        ax.plot(*on_line[[0, -1]].T, color=ROLES["ray"], lw=1.5)
+        bent = on_line + far * off[:, None] * normal
+        ax.plot(*bent.T, "o-", color=ROLES["camera"], ms=4, mec="white", mew=0.6, lw=1.2)
+        most = np.abs(off).max()
+        ax.set_title(f"{name}: {most:.2f} px off a line, drawn {far:g} ×", fontsize=10)
+    return fig
+
+
+def _off_line(points: Floats) -> tuple[Floats, Floats]:
+    """Return how far points are off the straight line that fits best, and across it."""
+    centred = points - points.mean(axis=0)
+    normal = np.linalg.svd(centred)[2][1]
+    return centred @ normal, normal
