@@ -8,13 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from course_lib.boards import DotGrid
-from course_lib.calibrating.photographs import (
-    on_distance,
-    on_files,
-    on_focal_length,
-    on_range,
-    on_views,
-)
+from course_lib.calibrating.photographs import on_distance, on_files, on_focal_length, on_views
 from course_lib.calibrating.precision import angle_sigma, length_sigma
 from course_lib.calibrating.solving import Solved
 from course_lib.calibrating.statement import Statement
@@ -88,7 +82,6 @@ def judge(solved: Solved) -> Judgement:
         *_on_error(solved),
         *on_views(solved, retake),
         *on_distance(solved),
-        *on_range(solved),
         *_on_coverage(covered),
         *_on_tilts(solved),
         *_on_numbers(solved),

@@ -55,25 +55,25 @@ def on_views(solved: Solved, retake: tuple[str, ...]) -> Iterator[Statement]:
 
 
 def on_distance(solved: Solved) -> Iterator[Statement]:
-    """Ask whether the distances are right: the only sign of a wrong length."""
-    near, far = map(in_words, _nearest_and_farthest(solved))
+    """Ask whether the distances are right: the only sign of a wrong length; and tell their range.
+
+    A lens is not quite the same at all distances.
+    """
+    middle = solved.board.points().mean(axis=0)
+    away = [float(np.linalg.norm(R @ middle + t)) for R, t in solved.calibration.poses]
+    near, far = in_words(min(away)), in_words(max(away))
     between = f"{near} to {far}" if near != far else near
     yield Statement(
         "note",
         f"With {lengths_of(solved.board)}, the board was {between} away from the camera: is that "
         "so? If not, the length given is wrong, and every distance measured will be.",
     )
-
-
-def on_range(solved: Solved) -> Iterator[Statement]:
-    """Say for which distances the camera is tested: a lens is not quite the same at all of them."""
-    near, far = _nearest_and_farthest(solved)
-    told = "hold it there, too, if you will measure nearer or farther"
-    if far >= NEAR_AND_FAR * near:
+    times, told = max(away) / min(away), "hold it there, too, if you will measure nearer or farther"
+    if times >= NEAR_AND_FAR:
         yield Statement(
             "good",
-            f"The farthest board was {far / near:.2g} times as far away as the nearest. Only "
-            f"between them is the camera tested: {told}.",
+            f"The farthest board was {times:.2g} times as far away as the nearest. Only between "
+            f"them is the camera tested: {told}.",
         )
     else:
         yield Statement(
@@ -81,13 +81,6 @@ def on_range(solved: Solved) -> Iterator[Statement]:
             "All boards were about equally far away, so the camera is tested at one distance "
             f"only. Hold the board near and far; {told}.",
         )
-
-
-def _nearest_and_farthest(solved: Solved) -> tuple[float, float]:
-    """Return how far from the camera the middles of the boards were, mm."""
-    middle = solved.board.points().mean(axis=0)
-    away = [float(np.linalg.norm(R @ middle + t)) for R, t in solved.calibration.poses]
-    return min(away), max(away)
 
 
 def in_words(millimetres: float) -> str:

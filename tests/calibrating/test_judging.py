@@ -6,7 +6,7 @@ import pytest
 from course_lib.boards import DotGrid
 from course_lib.calibrating.judgement import judge, missing_places
 from course_lib.calibrating.looking import Photo
-from course_lib.calibrating.photographs import on_range
+from course_lib.calibrating.photographs import on_distance
 from course_lib.calibrating.pictures import Header
 from course_lib.calibrating.precision import angle_sigma, length_sigma
 from course_lib.calibrating.solving import solve
@@ -122,7 +122,7 @@ class TestStatements:
         middle = run.solved.board.points().mean(axis=0)
         facing = [np.array([0, 0, z]) - middle for z in (500, 500 * farther, 550)]
         camera = replace(run.solved.calibration, poses=tuple((np.eye(3), t) for t in facing))
-        (said,) = on_range(replace(run.solved, calibration=camera))
+        *_, said = on_distance(replace(run.solved, calibration=camera))
         assert said.level == level
         assert words in said.text
 
