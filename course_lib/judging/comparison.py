@@ -49,7 +49,7 @@ def describe(value: Any) -> str:
         one, many = KINDS.get(value.dtype.kind, ("a number", ""))
         return f"an array of {many}shape {value.shape}" if value.ndim else one
     if isinstance(value, tuple | list):
-        return f"a {type(value).__name__} of {len(value)} values"
+        return f"a {type(value).__name__} of {len(value)} value{'s' * (len(value) != 1)}"
     if isinstance(value, str | dict):
         return "a text" if isinstance(value, str) else "a dictionary"
     return f"a {type(value).__name__}"

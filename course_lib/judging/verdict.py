@@ -17,8 +17,14 @@ Kind = Literal[
     "right", "not attempted", "raised", "time limit", "type", "shape", "values", "ready-made"
 ]
 
-#: Types of what Python makes one by one: not a list yet.
-ONE_BY_ONE = ("map", "zip", "filter", "generator", "range", "set", "dict_values")
+#: Types of what is not an answer yet, and what makes one of it.
+NOT_YET = dict.fromkeys(
+    ("map", "zip", "filter", "generator", "range", "dict_values"),
+    " Make a list of it: `list(…)`.",
+) | dict.fromkeys(
+    ("function", "method", "builtin_function_or_method", "ufunc", "_ArrayFunctionDispatcher"),
+    " Round brackets call a function: are they missing?",
+)
 COARSE = " Its numbers are kept with 7 digits (float32); float64 has 16."
 
 
@@ -200,7 +206,7 @@ def _sentence(given: Answer, reveal: bool) -> str:
         if given.message
         else "Not tried, because an answer before it took too long.",
         "not plain": f"The answer is of the type {given.message}; arrays and numbers are expected."
-        + " Make a list of it: `list(…)`." * (given.message in ONE_BY_ONE),
+        + NOT_YET.get(given.message, ""),
         "too large": f"The answer is far too large ({given.message}).",
     }[given.status]
 

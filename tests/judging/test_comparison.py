@@ -68,6 +68,7 @@ def test_right_answers_agree(compare, got, expected):
         (Close(), (1,), (1, 2), "type", "2 values"),
         (Close(), {"a": 1}, {"b": 1}, "type", "keys b"),
         (Close(), np.array(1.0), (1, 2), "type", "2 values"),
+        (Close(), [1.0], 1.0, "shape", "a list of 1 value; a number"),
         (Close(), np.ones(2) + 0j, np.ones(2), "type", "an array of complex numbers of shape (2,)"),
         (Close(), (1, 3), (1, 2), "values", "Value 2 of 2: "),
         (Close(), (1, 3), (2, 3), "values", "right one. The other one is right."),
