@@ -31,5 +31,7 @@ def test_interval():
 def test_pointing():
     clicks = np.random.default_rng(0).normal([300, 200], 0.7, (2000, 2))
     assert pointing_sigma(clicks) == pytest.approx(0.7, rel=0.03)
+    few = [[100, 50], [101, 50], [102, 50]]  # squares 1, 0, 1 by 2 (3 - 1)
+    assert pointing_sigma(few) == pytest.approx(np.sqrt(2 / 4))
     with pytest.raises(ValueError, match="two or more pixels"):
         pointing_sigma([[1, 2]])
