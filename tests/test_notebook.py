@@ -69,7 +69,7 @@ def test_several_results_come_back_each_as_it_should_be() -> None:
     [
         (None, "invert_pose returns None instead of 2 results"),
         (np.eye(3), "invert_pose returns an array of shape (3, 3) instead of 2 results"),
-        ((np.eye(3),), "invert_pose returns a tuple of 1 values instead of 2 results"),
+        ((np.eye(3),), "invert_pose returns a tuple of 1 value instead of 2 results"),
         (5.0, "invert_pose returns a number instead of 2 results"),
         ((np.eye(3), np.eye(3)), "invert_pose returns an array of shape (3, 3) instead of an"),
     ],
