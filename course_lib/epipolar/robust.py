@@ -12,12 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from course_lib.checks import Array, check_intrinsics, check_length
 from course_lib.epipolar.degeneracy import find_degeneracy, raise_degeneracy
-from course_lib.epipolar.essential import pose_from_essential, poses_from_essential
+from course_lib.epipolar.essential import poses_from_essential
 from course_lib.epipolar.five_point import five_point_samples
 from course_lib.epipolar.fundamental import common_scale, seven_point_samples
 from course_lib.epipolar.lines import check_pairs
-from course_lib.epipolar.matrices import check_two_view, essential_from_pose, unit
+from course_lib.epipolar.matrices import check_two_view, unit
 from course_lib.epipolar.refinement import PosedPair, RankTwo, refined
+from course_lib.epipolar.rivals import Pairs, doubt_about, last_look, pose_sigma, standing
 from course_lib.epipolar.search import Problem, check_confidence, search
 
 #: Numbers of F that are left open in turn when seven pairs are solved for the others.
@@ -48,11 +49,21 @@ class RobustPose(NamedTuple):
         Camera 1 to camera 2; the length of t is 1.
     fits : ndarray of bool, shape (N,)
         Which pairs have a Sampson error within the threshold.
+    turn_sigma, direction_sigma : float
+        Standard deviations of the rotation and of the direction of t, degrees: what the errors of
+        the pairs that fit make of them, if the pose is the right one.
+    doubt : str
+        Why the pose may be the wrong one, and what to do: another pose fits nearly as well, the
+        points are on a plane, or the standard deviations are larger than 0.5 and 1 degree. Empty if
+        nothing says so, which is no proof.
     """
 
     R: Array
     t: Array
     fits: NDArray[np.bool_]
+    turn_sigma: float
+    direction_sigma: float
+    doubt: str
 
 
 def refine_fundamental(F: ArrayLike, points1: ArrayLike, points2: ArrayLike) -> Array:
@@ -156,11 +167,13 @@ def ransac_pose(
     threshold: float = 1.5,
     confidence: float = 0.99,
     most_samples: int = 500,
+    rivals: bool = True,
 ) -> RobustPose:
     """Return the relative pose of calibrated cameras that most matches agree on.
 
-    As `ransac_fundamental`, with samples of five pairs. If all points are on a plane, two poses may
-    fit them equally well; one of them is returned.
+    As `ransac_fundamental`, with samples of five pairs. If tie points are few, near together or on
+    a plane, other poses may fit them equally well. At the end such rivals are looked for; the one
+    that fits best is returned, and `doubt` names the next.
 
     Parameters
     ----------
@@ -170,11 +183,14 @@ def ransac_pose(
         Intrinsics in px.
     rng, threshold, confidence, most_samples
         As in `ransac_fundamental`.
+    rivals : bool
+        Whether rivals are looked for, which takes most of the time. To find wrong pairs, they need
+        not be.
 
     Returns
     -------
     RobustPose
-        The relative pose, camera 1 to camera 2, and which pairs it fits.
+        The relative pose, camera 1 to camera 2, which pairs it fits, and how sure it is.
 
     Raises
     ------
@@ -193,6 +209,20 @@ def ransac_pose(
     points1, points2 = check_pairs(points1, points2, least=6)
     threshold = check_length(threshold, "threshold")
     K1, K2 = check_intrinsics(K1), check_intrinsics(K2)
+    pairs = _calibrated(points1, points2, K1, K2, threshold)
+    found = search(pairs.problem, check_confidence(confidence), most_samples, rng)
+    fits = found.fits
+    open_by = find_degeneracy(points1[fits], points2[fits], threshold, K1, K2)
+    if open_by == "rotation":
+        raise_degeneracy(open_by)
+    best, rival = last_look(pairs, found) if rivals else (standing(pairs, found), None)
+    sigma = pose_sigma(pairs, best)
+    doubt = doubt_about(best, rival, sigma, open_by == "plane")
+    return RobustPose(best.R, best.t, best.found.fits, *sigma, doubt)
+
+
+def _calibrated(points1: Array, points2: Array, K1: Array, K2: Array, threshold: float) -> Pairs:
+    """Return the search for the relative pose of calibrated cameras."""
     x1, x2, T1, T2, scale = common_scale(points1, points2)
     right, left = np.asarray(np.linalg.inv(T1 @ K1)), np.asarray(np.linalg.inv(T2 @ K2).T)
     near1, near2 = (right @ x1)[:2].T.copy(), (left.T @ x2)[:2].T.copy()
@@ -205,9 +235,4 @@ def ransac_pose(
         return PosedPair(*poses_from_essential(U[:, :2] @ Vt[:2])[0], left, right)
 
     problem = Problem(x1, x2, threshold * scale, 5, hypotheses, geometry)
-    best = search(problem, check_confidence(confidence), most_samples, rng)
-    fits = best.fits
-    if find_degeneracy(points1[fits], points2[fits], threshold, K1, K2) == "rotation":
-        raise_degeneracy("rotation")
-    E = essential_from_pose(best.geometry.R, best.geometry.t)
-    return RobustPose(*pose_from_essential(E, near1[fits], near2[fits]), fits)
+    return Pairs(problem, near1, near2, 2 * threshold / float(K2[0, 0]))

@@ -75,13 +75,13 @@ def ransac_iterations(confidence: float, size: int, wrong_share: float) -> int:
         raise ValueError(f"wrong_share must be from 0 to less than 1, got {share:g}")
     if pairs < 1 or pairs % 1:
         raise ValueError(f"size must be a whole number of pairs, got {size}")
-    samples = _samples_needed(confidence, (1 - share) ** pairs)
+    samples = samples_needed(confidence, (1 - share) ** pairs)
     if math.isinf(samples):
         raise ValueError(f"no number of samples helps with {100 * share:g} % wrong pairs")
     return math.ceil(samples)
 
 
-def _samples_needed(confidence: float, good: float) -> float:
+def samples_needed(confidence: float, good: float) -> float:
     """Return how many samples make it likely that one is good, if a share of them is."""
     if good >= 1:
         return 1.0
@@ -186,7 +186,7 @@ def search(problem: Problem[G], confidence: float, most: int, rng: np.random.Gen
         drawn, turn = drawn + len(samples), turn + 1
         if best is None:
             continue
-        needed = _samples_needed(confidence, best.fits.mean() ** problem.size)
+        needed = samples_needed(confidence, best.fits.mean() ** problem.size)
         near = np.flatnonzero(best.near)
         if needed > drawn and len(near) > 2 * problem.size:
             samples = draw(rng, near, problem.size, AGAIN)

@@ -33,6 +33,8 @@ class Pair(NamedTuple):
         Points that both show.
     agreed : ndarray of int
         Those that fit the pose.
+    doubt : str
+        Why the pose may be the wrong one; empty if nothing says so.
     """
 
     pictures: tuple[int, int]
@@ -40,6 +42,7 @@ class Pair(NamedTuple):
     t: Array
     common: Indices
     agreed: Indices
+    doubt: str
 
 
 def start_pairs(
@@ -61,24 +64,25 @@ def start_pairs(
     Yields
     ------
     Pair
-        Two pictures. Last come those that show a plane only: their pose may be the wrong of two.
+        Two pictures. Last come those whose pose may be the wrong one: they show a plane only, or
+        another pose fits them nearly as well.
 
     Raises
     ------
     DegenerateConfigurationError
         If there is none: what was best, and what it lacks.
     """
-    flat, lacking = [], []
+    doubtful, lacking = [], []
     candidates = _with_most_in_common(pixels)
     for pictures in candidates:
         found = _looked_at(pixels, pictures, K, rng, threshold)
         if isinstance(found, str):
             lacking.append(found)
-        elif _is_flat(pixels, found, K, threshold):
-            flat.append(found)
+        elif found.doubt or _is_flat(pixels, found, K, threshold):
+            doubtful.append(found)
         else:
             yield found
-    yield from flat
+    yield from doubtful
     if len(lacking) == len(candidates):
         raise DegenerateConfigurationError(
             f"there are no two pictures to begin with: {lacking[0]}. Move the camera farther "
@@ -122,7 +126,7 @@ def _looked_at(
             f"{named} see their points at {np.degrees(angle):.1f} degrees, and "
             f"{np.degrees(WIDE):.0f} are needed"
         )
-    return Pair(pictures, pose.R, pose.t, common, agreed)
+    return Pair(pictures, pose.R, pose.t, common, agreed, pose.doubt)
 
 
 def _angles(one: Array, other: Array, K: Array, R: Array, t: Array) -> Array:

@@ -59,7 +59,7 @@ def agreeing_matches(
             continue
         one, other = features[i].points[pairs[:, 0]], features[j].points[pairs[:, 1]]
         try:
-            fits = ransac_pose(one, other, K, K, rng, threshold).fits
+            fits = ransac_pose(one, other, K, K, rng, threshold, rivals=False).fits
         except DegenerateConfigurationError:
             continue  # no pose, or no baseline: nothing to measure from
         if fits.sum() >= LEAST_AGREEING:

@@ -32,7 +32,7 @@ def test_wrong_matches_are_found(seed, wrong):
 @pytest.mark.parametrize("wrong", [0.0, 0.3, 0.6])
 def test_pose_among_wrong_matches(wrong):
     s = scene(4, wrong=wrong)
-    R, t, fits = ransac_pose(s.points1, s.points2, K, K, rng())
+    R, t, fits, *_ = ransac_pose(s.points1, s.points2, K, K, rng())
     assert turn_between(R, s.R) < 0.3
     assert angle_between(t, s.t) < 1
     assert fits[s.right].mean() > 0.97
@@ -40,11 +40,73 @@ def test_pose_among_wrong_matches(wrong):
 
 def test_a_plane_can_do_for_calibrated_cameras():
     s = scene(2, plane=True, wrong=0.2)
-    R, t, _ = ransac_pose(s.points1, s.points2, K, K, rng())
+    R, t, *_ = ransac_pose(s.points1, s.points2, K, K, rng())
     assert turn_between(R, s.R) < 1
     assert angle_between(t, s.t) < 3
     with pytest.raises(DegenerateConfigurationError, match="on a plane"):
         ransac_fundamental(s.points1, s.points2, rng())
+
+
+def off(found, s):
+    return turn_between(found.R, s.R), angle_between(found.t, s.t)
+
+
+@pytest.mark.parametrize("seed", [0, 2, 4, 6])
+def test_a_sound_pose_is_not_doubted(seed):
+    s = scene(seed, count=200, wrong=0.3)
+    found = ransac_pose(s.points1, s.points2, K, K, rng(seed))
+    assert found.doubt == ""
+    turn, direction = off(found, s)
+    assert turn < 3 * found.turn_sigma < 0.6
+    assert direction < 3 * found.direction_sigma < 1.5
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_two_poses_of_a_plane_are_named(seed):
+    s = scene(seed, count=100, plane=True, wrong=0.2)
+    found = ransac_pose(s.points1, s.points2, K, K, rng(seed))
+    assert "another pose fits nearly as well" in found.doubt
+    assert "spread over the picture and in depth" in found.doubt
+
+
+def test_a_pose_is_doubted_whose_tie_points_are_near_together():
+    s = scene(1, count=3000, t=[0.3, 0.02, -0.01])
+    near = (np.abs(s.exact1 - [150, 120]) < 60).all(axis=1)
+    found = ransac_pose(s.points1[near], s.points2[near], K, K, rng())
+    assert off(found, s)[1] > 3
+    assert found.direction_sigma > 3
+    assert "only known to" in found.doubt
+
+
+def test_two_sets_of_matches_that_contradict_each_other_are_named():
+    one, other = scene(0, count=110), scene(4, count=90)
+    points = [
+        np.concatenate(pair)
+        for pair in ((one.points1, other.points1), (one.points2, other.points2))
+    ]
+    found = ransac_pose(*points, K, K, rng())
+    assert max(off(found, one)) < 1  # most pairs are of this one
+    assert "another pose fits nearly as well" in found.doubt
+
+
+def test_without_a_look_for_rivals_the_generator_is_used_as_with_it():
+    s = scene(5, count=100, wrong=0.3)
+    quick, used = rng(3), rng(3)
+    fits = ransac_pose(s.points1, s.points2, K, K, quick, rivals=False).fits
+    assert (fits == ransac_pose(s.points1, s.points2, K, K, used).fits).mean() > 0.97
+    assert quick.random() == used.random()
+
+
+def test_sigma_of_a_pose_is_its_scatter():
+    s, noise = scene(4, count=60, noise=0.0), rng(1)
+    errors, reported = [], []
+    for _ in range(200):
+        points = [p + 0.5 * noise.standard_normal(p.shape) for p in (s.exact1, s.exact2)]
+        found = ransac_pose(*points, K, K, rng(), rivals=False)
+        errors.append(off(found, s))
+        reported.append([found.turn_sigma, found.direction_sigma])
+    scatter, sigma = (np.sqrt(np.mean(np.square(x), axis=0)) for x in (errors, reported))
+    np.testing.assert_allclose(sigma, scatter, rtol=0.1)
 
 
 def test_a_turn_alone_is_named():

@@ -102,7 +102,7 @@ def test_robust_matrices_are_better_than_magsac(wrong):
 
 @pytest.fixture(scope="module")
 def real_pairs():
-    """Return the calibrated rig of OpenCV's pairs, and matches of SIFT without distortion."""
+    """Return the calibrated rig of OpenCV's pairs, and each one's matches without distortion."""
     numbers = [n for n in range(1, 15) if n != 10]
     pictures = [
         [
@@ -113,10 +113,17 @@ def real_pairs():
     ]
     corners = [[_corners(picture) for picture in side] for side in pictures]
     rig = calibrate_stereo(board_points(9, 6, 30), *corners, (640, 480))
-    matches = np.concatenate([_sift(*pair) for pair in zip(*pictures, strict=True)])
-    one = undistort_pixels(matches[:, 0], rig.K_left, rig.coefficients_left)
-    other = undistort_pixels(matches[:, 1], rig.K_right, rig.coefficients_right)
-    return rig, one, other
+    matches = [_sift(*pair) for pair in zip(*pictures, strict=True)]
+    lenses = (rig.K_left, rig.coefficients_left), (rig.K_right, rig.coefficients_right)
+    return rig, [
+        [undistort_pixels(pairs[:, side], *lens) for side, lens in enumerate(lenses)]
+        for pairs in matches
+    ]
+
+
+def pooled(pairs):
+    """Return the matches of all pairs as those of one."""
+    return [np.concatenate(side) for side in zip(*pairs, strict=True)]
 
 
 def _corners(picture):
@@ -133,15 +140,29 @@ def _sift(left, right):
 
 
 def test_relative_pose_of_real_pairs(real_pairs):
-    rig, one, other = real_pairs
-    found = ransac_pose(one, other, rig.K_left, rig.K_right, np.random.default_rng(0))
+    rig, pairs = real_pairs
+    found = ransac_pose(*pooled(pairs), rig.K_left, rig.K_right, np.random.default_rng(0))
     assert 0.3 < found.fits.mean() < 0.9  # a chessboard's corners look alike
     assert turn_between(found.R, rig.R) < 0.5
     assert angle_between(found.t, rig.t) < 1
+    assert not found.doubt
+
+
+def test_a_real_pair_alone_gives_the_pose_or_a_doubt(real_pairs):
+    """Many of these matches are squares taken for their neighbours: a wrong pose may fit best."""
+    rig, pairs = real_pairs
+    doubted = 0
+    for number, (one, other) in enumerate(pairs):
+        found = ransac_pose(one, other, rig.K_left, rig.K_right, np.random.default_rng(0))
+        off = max(turn_between(found.R, rig.R), angle_between(found.t, rig.t))
+        assert found.doubt or off < 1, (number, off)
+        doubted += bool(found.doubt)
+    assert doubted <= 6
 
 
 def test_real_lines(real_pairs):
-    rig, one, other = real_pairs
+    rig, pairs = real_pairs
+    one, other = pooled(pairs)
     found = ransac_fundamental(one, other, np.random.default_rng(0))
     P2 = rig.K_right @ np.column_stack([rig.R, rig.t])
     truth = fundamental_from_cameras(rig.K_left @ np.eye(3, 4), P2)
