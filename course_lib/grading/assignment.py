@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from nbgrader.api import Gradebook, MissingEntry
+from nbgrader.api import MissingEntry
 from nbgrader.apps import AutogradeApp
 
-from course_lib.grading.gradebooks import reachable
+from course_lib.grading.gradebooks import open_gradebook
 from course_lib.grading.sanitizing import GivenNotebook, read_notebook_given
 from course_lib.grading.submissions import given_cells
 
@@ -108,7 +107,7 @@ def read_assignment(term: Path, name: str) -> Assignment:
         app = AutogradeApp(log_level="ERROR")
         app.initialize([])
         course = app.coursedir
-        with reachable(), Gradebook(course.db_url, course.course_id) as gradebook:
+        with open_gradebook(course.db_url, course.course_id) as gradebook:
             notebooks = _read_notebooks(gradebook, term, name)
     options = app.config.get("AnswerOutside", {})
     steps = ("submitted", "autograded", "source")
@@ -156,16 +155,3 @@ def _inside(folder: Path):  # type: ignore[no-untyped-def]
         yield
     finally:
         os.chdir(before)
-
-
-def fingerprint(folder: Path, notebooks: Sequence[str]) -> str:
-    """Return what tells one version of a submission from another: a hash of its notebooks."""
-    digest = hashlib.sha256()
-    for name in sorted(notebooks):
-        path = folder / f"{name}.ipynb"
-        if path.is_file() and not path.is_symlink():
-            digest.update(f"{name}\x1f{path.stat().st_size}\x1f".encode())
-            with path.open("rb") as file:
-                while part := file.read(1 << 20):
-                    digest.update(part)
-    return digest.hexdigest()

@@ -30,8 +30,9 @@ from course_lib.grading.one import Graded, grade_one
 from course_lib.grading.parcels import Parcel, pack
 from course_lib.grading.workers import SET_ASIDE, Manner
 
-#: Seconds to wait for the scheduler; for a worker where there is none; for the next answer.
-CONNECT, PATIENCE, LOOK = 15.0, 60.0, 5.0
+#: Seconds to wait for the scheduler; for a worker where there is none; for the next answer; and
+#: until one looks again whether there is a worker.
+CONNECT, PATIENCE, LOOK, PAUSE = 15.0, 60.0, 5.0, 0.5
 AGAIN = "What is graded is recorded; run the same command again to go on"
 HOW = "Start some, one for each core: dask worker SCHEDULER --nworkers=-1 --nthreads 1"
 DIFFERENT = "it has not the same version of the course as this machine; install it there"
@@ -90,9 +91,7 @@ def _connected(address: str) -> Iterator[Any]:
             "grading on a cluster needs Dask here, too: pip install distributed"
         ) from None
     for handler in logging.getLogger("distributed").handlers:
-        handler.setLevel(
-            logging.CRITICAL
-        )  # its news are said below; each of its loggers has a level
+        handler.setLevel(logging.CRITICAL)  # its news are said below; its loggers have own levels
     try:
         client = Client(address, timeout=CONNECT)
     except (OSError, ValueError, TypeError, ImportError) as error:
@@ -202,6 +201,8 @@ class _Run:
                 alone_since = time.monotonic()
             elif time.monotonic() - alone_since > PATIENCE:
                 raise ClusterError(f"the cluster's last worker is gone. {HOW}. {AGAIN}")
+            elif not self._running:
+                time.sleep(PAUSE)
             while waiting and len(self._running) < (self._at_once or workers):
                 parcel = pack(self._assignment, waiting.popleft())
                 if parcel.trouble:

@@ -11,10 +11,10 @@ from contextlib import contextmanager
 from course_lib.grading.assignment import RECORDS, Assignment, read_assignment
 from course_lib.grading.cluster import grade_on_cluster
 from course_lib.grading.explaining import explain_isolation
-from course_lib.grading.gradebooks import reachable
+from course_lib.grading.gradebooks import only_writer
 from course_lib.grading.isolation import Isolation, demand
 from course_lib.grading.one import Graded
-from course_lib.grading.recording import Recorder, is_graded, read_record
+from course_lib.grading.recording import is_graded, read_record, recording
 from course_lib.grading.summary import Progress, Summary
 from course_lib.grading.workers import Manner, grade_all
 from course_lib.sandbox.limits import allowance_for
@@ -36,7 +36,7 @@ def grade(options: argparse.Namespace) -> int:
         print("Nothing is isolated: students' code runs with your rights.", file=sys.stderr)
     with _alone(assignment):
         todo, done = _choose(assignment, options.student, options.force)
-        summary = _grade(assignment, todo, manner, options)
+        summary = _grade(assignment, todo, done, manner, options)
     summary.skipped = len(done)
     for student in done:
         summary.count(read_record(assignment, student), new=False)
@@ -63,10 +63,15 @@ def _choose(
 
 
 def _grade(
-    assignment: Assignment, todo: list[str], manner: Manner, options: argparse.Namespace
+    assignment: Assignment,
+    todo: list[str],
+    done: list[str],
+    manner: Manner,
+    options: argparse.Namespace,
 ) -> Summary:
     summary, progress = Summary(), Progress(len(todo), sys.stderr)
-    with reachable(), Recorder(assignment) as recorder:
+    with recording(assignment) as recorder:
+        summary.retimed = [student for student in done if recorder.note_time(student)]
         for graded in _graded(assignment, todo, manner, options):
             saved = recorder.save(graded)
             summary.count(vars(saved), new=True)
@@ -96,4 +101,5 @@ def _alone(assignment: Assignment) -> Iterator[None]:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             raise RuntimeError("another `course grade` is at work in this term") from None
-        yield
+        with only_writer(assignment.db_url):
+            yield

@@ -10,9 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from course_lib.grading.assignment import read_assignment
 from course_lib.grading.roster import Matched, Roster, match, read_roster
-from course_lib.grading.standings import Standing, Standings, assignment_names, read_standings
+from course_lib.grading.standings import Standing, Standings, read_classes
 from course_lib.judging.text import format_points
 
 #: Where tables are, in a term's directory.
@@ -66,10 +65,7 @@ class Points:
 
 def export(options: argparse.Namespace) -> int:
     """Carry ``course export`` out; return its exit code."""
-    names = options.assignments or assignment_names(options.term)
-    if not names:
-        raise ValueError(f"there is no assignment in {options.term.resolve() / 'release'}")
-    classes = tuple(read_standings(read_assignment(options.term, name)) for name in names)
+    classes = tuple(read_classes(options.term, options.assignments))
     points = Points(classes, options.missing)
     folder = classes[0].assignment.term / EXPORTS
     folder.mkdir(exist_ok=True)

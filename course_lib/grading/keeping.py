@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+from contextlib import ExitStack
 from functools import cache
 
 from course_lib.grading.isolation import Isolation
@@ -21,6 +22,6 @@ def kept_judge(isolation: Isolation, allowance: Allowance) -> Judge:
     allowance : Allowance
         What a submission may use.
     """
-    judge = Judge(isolation, allowance).__enter__()
-    atexit.register(judge.__exit__, None, None, None)
-    return judge
+    until_the_end = ExitStack()
+    atexit.register(until_the_end.close)
+    return until_the_end.enter_context(Judge(isolation, allowance))

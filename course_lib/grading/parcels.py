@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from course_lib.grading.assignment import Assignment, fingerprint
+from course_lib.grading.assignment import Assignment
 from course_lib.grading.seeding import grading_seed, read_key
-from course_lib.grading.submissions import UnreadableError, files_beside, read_content
+from course_lib.grading.submissions import (
+    UnreadableError,
+    all_beside,
+    files_beside,
+    fingerprint,
+    read_content,
+)
 
-#: What nbgrader leaves out when it copies a submission.
-NOT_COPIED = {"__pycache__", ".ipynb_checkpoints"}
+#: Bytes of what lies beside a notebook that are copied.
 MOST_COPIED = 100_000_000
 
 
@@ -68,7 +73,7 @@ def pack(assignment: Assignment, student: str) -> Parcel:
         there = [n for n in assignment.notebooks if os.path.lexists(folder / f"{n}.ipynb")]
         if not there:
             raise UnreadableError(_not_there(folder, list(assignment.notebooks)))
-        if sum(path.stat().st_size for path in _beside(folder)) > MOST_COPIED:
+        if sum(path.stat().st_size for path in all_beside(folder)) > MOST_COPIED:
             raise UnreadableError(TOO_LARGE)
         notebooks = {name: read_content(folder / f"{name}.ipynb") for name in there}
         return Parcel(student, mark, seed, notebooks, files_beside(folder))
@@ -111,17 +116,8 @@ def copy_beside(folder: Path, target: Path) -> None:
     target : pathlib.Path
         Where the graded notebooks are.
     """
-    for path in _beside(folder):
+    for path in all_beside(folder):
         goal = target / path.relative_to(folder)
         goal.parent.mkdir(parents=True, exist_ok=True)
         goal.unlink(missing_ok=True)
         shutil.copyfile(path, goal)
-
-
-def _beside(folder: Path) -> Iterator[Path]:
-    for place, folders, names in os.walk(folder):
-        folders[:] = [name for name in folders if name not in NOT_COPIED]
-        for name in names:
-            path = Path(place, name)
-            if path.suffix != ".ipynb" and not path.is_symlink() and path.is_file():
-                yield path

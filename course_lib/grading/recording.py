@@ -15,40 +15,40 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
-from nbgrader.api import Gradebook
+from nbgrader.api import BaseCell, Gradebook
 from nbgrader.preprocessors import AssignLatePenalties
 from nbgrader.utils import parse_utc
+from sqlalchemy import select
 from sqlalchemy.exc import SAWarning
 
-from course_lib.grading.assignment import Assignment, fingerprint
+from course_lib.grading.assignment import Assignment
+from course_lib.grading.gradebooks import open_gradebook
 from course_lib.grading.one import Graded
 from course_lib.grading.parcels import copy_beside, unforeseen
+from course_lib.grading.submissions import fingerprint
 
 NO_RESPONSE = "No response."
 
 
-class Recorder:
-    """Writes gradings of one assignment down."""
+@contextmanager
+def recording(assignment: Assignment) -> Iterator[Recorder]:
+    """Open the gradebook for writing gradings of one assignment down; `open_gradebook`'s errors."""
+    with open_gradebook(assignment.db_url, assignment.course_id) as gradebook:
+        yield Recorder(assignment, gradebook)
 
-    def __init__(self, assignment: Assignment) -> None:
-        self._assignment = assignment
-        self._gradebook = Gradebook(assignment.db_url, assignment.course_id)
+
+class Recorder:
+    """Writes gradings of one assignment down; made by `recording`."""
+
+    def __init__(self, assignment: Assignment, gradebook: Gradebook) -> None:
+        self._assignment, self._gradebook = assignment, gradebook
+        with gradebook.engine.connect() as connection:  # nbgrader would ask for them one by one
+            cells = connection.execute(select(BaseCell.id, BaseCell.name))
+            self._labels = {cell.id: cell.name for cell in cells}
         self._penalties = AssignLatePenalties(config=assignment.config)
         self._penalties.init_plugin()
-
-    def __enter__(self) -> Recorder:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self._gradebook.close()
 
     def save(self, graded: Graded) -> Graded:
         """Write one grading down, for good.
@@ -78,6 +78,33 @@ class Recorder:
             self._put_in_place(graded.student)
         return graded
 
+    def note_time(self, student: str) -> bool:
+        """Note when a submission that is graded was handed in again, with nothing changed.
+
+        Parameters
+        ----------
+        student : str
+            Whose.
+
+        Returns
+        -------
+        bool
+            Whether the time is another now, and with it perhaps the penalty for late work.
+        """
+        final = self._assignment.autograded(student)
+        stamp = _timestamp(self._assignment.submitted(student))
+        if stamp == _timestamp(final):
+            return False
+        with _transaction(self._gradebook):
+            submission = self._submission(student)
+            self._gradebook.db.flush()
+            self._penalize(submission)
+        if stamp:  # last, so that after a kill it is done again
+            _write(final / "timestamp.txt", stamp)
+        else:
+            (final / "timestamp.txt").unlink()
+        return True
+
     def _lay_beside(self, graded: Graded) -> Graded:
         """Write the graded notebooks, and what goes with them, beside their place."""
         growing = growing_folder(self._assignment, graded.student)
@@ -100,42 +127,44 @@ class Recorder:
     def _submission(self, student: str) -> Any:
         """Return nbgrader's entry of a submission; nbgrader makes it where there is none."""
         self._gradebook.update_or_create_student(student)
-        stamp = _timestamp(self._assignment.submitted(student))
-        known = {"timestamp": stamp} if stamp else {}
         name = self._assignment.name
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", SAWarning)  # nbgrader's own, and harmless
-            return self._gradebook.update_or_create_submission(name, student, **known)
+            submission = self._gradebook.update_or_create_submission(name, student)
+        stamp = _timestamp(self._assignment.submitted(student))
+        submission.timestamp = parse_utc(stamp) if stamp else None
+        return submission
 
     def _score(self, notebook: Any, graded: Graded, same: bool) -> None:
         """Enter automatic scores; what a person entered stays."""
         scores = graded.grades.get(notebook.name, {})
         for grade in notebook.grades:
-            if grade.name not in scores:
+            label = self._labels[grade.cell_id]
+            if label not in scores:
                 continue
-            score = scores[grade.name]
+            score = scores[label]
             unchanged = same and grade.auto_score == score
             grade.auto_score = score
             if not (unchanged and grade.manual_score is not None):
                 grade.needs_manual_grade = grade.manual_score is not None or score is None
         responses = graded.responses.get(notebook.name, {})
         for comment in notebook.comments:
-            if comment.name in responses:
-                comment.auto_comment = None if responses[comment.name] else NO_RESPONSE
+            label = self._labels[comment.cell_id]
+            if label in responses:
+                comment.auto_comment = None if responses[label] else NO_RESPONSE
 
     def _penalize(self, submission: Any) -> None:
         """Let nbgrader's plug-in for late submissions set its penalty."""
-        late = submission.total_seconds_late
+        late, plugin = submission.total_seconds_late, self._penalties.plugin_inst
         for notebook in submission.notebooks:
-            self._gradebook.db.refresh(notebook)
-            notebook.late_submission_penalty = None
+            penalty = None
             if late > 0:
-                plugin = self._penalties.plugin_inst
-                student = submission.student_id
-                penalty = plugin.late_submission_penalty(student, notebook.score, late)
-                if penalty is not None:
-                    checked = self._penalties._check_late_penalty(notebook, penalty)
-                    notebook.late_submission_penalty = checked
+                self._gradebook.db.refresh(notebook)
+                found = (submission.student_id, notebook.score, late)
+                penalty = plugin.late_submission_penalty(*found)
+            if penalty is not None:
+                penalty = self._penalties._check_late_penalty(notebook, penalty)
+            notebook.late_submission_penalty = penalty
 
     def _put_in_place(self, student: str) -> None:
         final, growing = (

@@ -12,9 +12,9 @@ from typing import Any
 
 from course_lib.exercises import find
 from course_lib.grading.alike import AlikePair, find_alike
-from course_lib.grading.assignment import Assignment, read_assignment
+from course_lib.grading.assignment import Assignment
 from course_lib.grading.class_page import class_page
-from course_lib.grading.standings import Standings, assignment_names, read_standings
+from course_lib.grading.standings import Standings, read_classes
 from course_lib.grading.student_page import student_page
 from course_lib.judging import ValuesExercise
 
@@ -24,12 +24,9 @@ REPORTS = "report"
 
 def report(options: argparse.Namespace) -> int:
     """Carry ``course report`` out; return its exit code."""
-    names = options.assignments or assignment_names(options.term)
-    if not names:
-        raise ValueError(f"there is no assignment in {options.term.resolve() / 'release'}")
     written = 0
-    for name in names:
-        standings = read_standings(read_assignment(options.term, name))
+    for standings in read_classes(options.term, options.assignments):
+        name = standings.assignment.name
         if not any(student.handed_in for student in standings.students):
             print(f"{name}: nothing was handed in.")
             continue

@@ -85,7 +85,10 @@ def read_roster(path: Path) -> Roster:
         raise ValueError(f"{path} is no text in UTF-8; export it again as CSV") from None
     first = text.partition("\n")[0]
     separator = max(",;\t", key=first.count)
-    lines = [line for line in csv.reader(io.StringIO(text), delimiter=separator) if any(line)]
+    try:
+        lines = [line for line in csv.reader(io.StringIO(text), delimiter=separator) if any(line)]
+    except csv.Error as error:  # e.g. a quotation mark that opens and never closes
+        raise ValueError(f"{path} cannot be read as CSV ({error}); export it again") from None
     header = tuple(cell.strip() for cell in lines[0]) if lines else ()
     kind = _kind(header)
     if kind is None:

@@ -10,7 +10,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import TracebackType
 from typing import Any, NoReturn
 
 from course_lib.grading.isolation import Isolation, build_walls
@@ -135,12 +134,7 @@ class Server:
     def __enter__(self) -> Server:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.stop()
 
     def start(self) -> None:
@@ -213,18 +207,20 @@ class Server:
         if self._process is None or self._process.poll() is not None:
             self.stop()
             self.start()
-        with ExitStack() as ends:
-            life, talk, *asks = self._begin(ends, 2 + job.checks)
-            try:
-                wire.send(life, allowance.as_dict())
-                wire.send(talk, self._order(job, folder))
-            except wire.Closed as error:
-                raise ServerGoneError(str(error)) from None
-            conversation = Conversation(life, talk, asks)
-            conversation.listen(allowance.notebook_seconds + GRACE)
-            yield conversation
-        if self._walled and not self.nests:  # what was left behind shares the server: it goes, too
-            self.stop()
+        try:
+            with ExitStack() as ends:
+                life, talk, *asks = self._begin(ends, 2 + job.checks)
+                try:
+                    wire.send(life, allowance.as_dict())
+                    wire.send(talk, self._order(job, folder))
+                except wire.Closed as error:
+                    raise ServerGoneError(str(error)) from None
+                conversation = Conversation(life, talk, asks)
+                conversation.listen(allowance.notebook_seconds + GRACE)
+                yield conversation
+        finally:
+            if self._walled and not self.nests:  # what was left behind shares the server
+                self.stop()
 
     def _begin(self, ends: ExitStack, number: int) -> list[socket.socket]:
         """Send a job's ends of some lines to the server; return the other ends."""

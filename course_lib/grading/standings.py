@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from nbgrader.api import Gradebook
-
 from course_lib.authoring.expansion import check_id, grade_id
 from course_lib.exercises import all_exercises
-from course_lib.grading.assignment import Assignment
-from course_lib.grading.gradebooks import reachable
+from course_lib.grading.assignment import Assignment, read_assignment
+from course_lib.grading.gradebooks import open_gradebook
 from course_lib.grading.recording import read_record
 from course_lib.judging import Explain
 
@@ -145,8 +143,7 @@ def read_standings(assignment: Assignment) -> Standings:
     Standings
         All students of the gradebook, and all who handed in.
     """
-    where = (assignment.db_url, assignment.course_id)
-    with reachable(), Gradebook(*where) as gradebook:
+    with open_gradebook(assignment.db_url, assignment.course_id) as gradebook:
         entry = gradebook.find_assignment(assignment.name)
         items, due = _items(entry, assignment), str(entry.duedate or "")
         found = gradebook.assignment_submissions(assignment.name)
@@ -160,10 +157,33 @@ def read_standings(assignment: Assignment) -> Standings:
     return Standings(assignment, items, tuple(students), due)
 
 
-def assignment_names(term: Path) -> list[str]:
-    """Return the assignments of a term that students were given."""
-    folder = term.expanduser() / "release"
-    return sorted(path.name for path in folder.iterdir()) if folder.is_dir() else []
+def read_classes(term: Path, names: Sequence[str] = ()) -> Iterator[Standings]:
+    """Read what a class has in some assignments of a term, or in all that students were given.
+
+    Parameters
+    ----------
+    term : pathlib.Path
+        Made by `course term`.
+    names : sequence of str, optional
+        Which assignments.
+
+    Yields
+    ------
+    Standings
+        One after the other.
+
+    Raises
+    ------
+    ValueError
+        If there is no term, no assignment in it, or not the one that is named.
+    """
+    release = term.expanduser() / "release"
+    folders = release.iterdir() if release.is_dir() else ()
+    given = sorted(path.name for path in folders if path.is_dir() and path.name[0] != ".")
+    if not (names or given):
+        raise ValueError(f"there is no assignment in {release.resolve()}")
+    for name in names or given:
+        yield read_standings(read_assignment(term, name))
 
 
 def _items(found: Any, assignment: Assignment) -> tuple[Item, ...]:

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import nbformat
 from nbformat import NotebookNode
 
 #: Bytes of a notebook, and of all files beside it, that are still read.
 MOST_NOTEBOOK, MOST_FILES = 30_000_000, 15_000_000
+#: What nbgrader leaves out when it copies a submission.
+NOT_COPIED = {"__pycache__", ".ipynb_checkpoints"}
 #: What nbgrader puts beside a notebook; it concerns no program.
 RECEIPTS = {"timestamp.txt", "submission_secret.txt"}
 #: Pictures of the text; no program reads them.
-PICTURES = {".png", ".jpg", ".jpeg", ".svg", ".gif", ".ipynb"}
+PICTURES = {".png", ".jpg", ".jpeg", ".svg", ".gif"}
 
 
 class UnreadableError(ValueError):
@@ -143,14 +149,67 @@ def files_beside(folder: Path) -> dict[str, bytes]:
     """
     found: dict[str, bytes] = {}
     left = MOST_FILES
+    for path in all_beside(folder):
+        name = path.relative_to(folder)
+        hidden = any(part.startswith(".") for part in name.parts[:-1])
+        if hidden or path.name in RECEIPTS or path.suffix.lower() in PICTURES:
+            continue
+        left -= path.stat().st_size
+        if left < 0:
+            return found
+        found[name.as_posix()] = path.read_bytes()
+    return found
+
+
+def all_beside(folder: Path) -> Iterator[Path]:
+    """Yield the files beside the notebooks of a folder, in the folders below it, too.
+
+    Parameters
+    ----------
+    folder : pathlib.Path
+        A submission's, or the source's. Links are left out: they could lead anywhere.
+
+    Yields
+    ------
+    pathlib.Path
+        In the same order for the same files.
+    """
     for place, folders, names in os.walk(folder):
-        folders[:] = [f for f in folders if not f.startswith(".")]
+        folders[:] = sorted(name for name in folders if name not in NOT_COPIED)
         for name in sorted(names):
             path = Path(place, name)
-            wanted = name not in RECEIPTS and path.suffix.lower() not in PICTURES
-            if wanted and not path.is_symlink() and path.is_file():
-                left -= path.stat().st_size
-                if left < 0:
-                    return found
-                found[path.relative_to(folder).as_posix()] = path.read_bytes()
-    return found
+            if path.suffix != ".ipynb" and not path.is_symlink() and path.is_file():
+                yield path
+
+
+def fingerprint(folder: Path, notebooks: Iterable[str]) -> str:
+    """Return what tells one version of a submission from another; when it came does not count.
+
+    Parameters
+    ----------
+    folder : pathlib.Path
+        The submission's.
+    notebooks : iterable of str
+        Names of the notebooks that are graded.
+
+    Returns
+    -------
+    str
+        A hash of the notebooks and of what lies beside them.
+    """
+    digest = hashlib.sha256()
+    files = [(name, folder / f"{name}.ipynb") for name in sorted(notebooks)]
+    beside = [path for path in all_beside(folder) if path.name not in RECEIPTS]
+    files += [(path.relative_to(folder).as_posix(), path) for path in beside]
+    for name, path in files:
+        with suppress(OSError):  # who grades it says what is wrong with it
+            _digest(digest, name, path)
+    return digest.hexdigest()
+
+
+def _digest(digest: Any, name: str, path: Path) -> None:
+    if path.is_file() and not path.is_symlink():
+        digest.update(f"{name}\x1f{path.stat().st_size}\x1f".encode())
+        with path.open("rb") as file:
+            while part := file.read(1 << 20):
+                digest.update(part)

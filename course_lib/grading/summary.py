@@ -65,6 +65,7 @@ class Summary:
     misconceptions: dict[str, Counter[str]] = field(default_factory=dict)
     totals: list[float] = field(default_factory=list)
     notes: dict[str, list[str]] = field(default_factory=dict)
+    retimed: list[str] = field(default_factory=list)
 
     def count(self, record: dict[str, Any], new: bool) -> None:
         """Add one submission."""
@@ -98,6 +99,9 @@ class Summary:
             middle, possible = statistics.median(self.totals), sum(self.possible.values())
             of = format_points(possible)
             lines += ["", f"Half of the class has {format_points(middle)} of {of} points or more."]
+        if self.retimed:
+            who = ", ".join(self.retimed)
+            lines += ["", f"Handed in again, unchanged, so that only the new time counts: {who}."]
         if self.notes:
             lines += ["", "Worth knowing:"]
             lines += [f"  {who}: {'; '.join(notes)}" for who, notes in sorted(self.notes.items())]

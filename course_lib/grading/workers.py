@@ -17,11 +17,12 @@ from dataclasses import dataclass
 from multiprocessing import connection, get_context
 from typing import Any
 
-from course_lib.grading.assignment import Assignment, fingerprint
+from course_lib.grading.assignment import Assignment
 from course_lib.grading.isolation import Isolation
 from course_lib.grading.one import Graded, grade_one
 from course_lib.grading.outside import Judge
 from course_lib.grading.parcels import pack
+from course_lib.grading.submissions import fingerprint
 from course_lib.sandbox import walls
 from course_lib.sandbox.limits import Allowance
 

@@ -112,8 +112,11 @@ def test_a_changed_answer_asks_for_a_second_look(new_term, submissions):
         gradebook.db.commit()
     path = term / "submitted/right" / ASSIGNMENT / f"{ASSIGNMENT}.ipynb"
     path.write_bytes(submissions["misconception-1"].content)
+    stamp = term / "submitted/half-done" / ASSIGNMENT / "timestamp.txt"
+    stamp.write_text("2026-10-02 13:00:00 UTC")
     again = run("course", "grade", ASSIGNMENT, cwd=term)
     assert "1 graded, 1 were graded before" in again.stdout
+    assert "so that only the new time counts: half-done." in again.stdout
     assert scores(term)["right"][QUESTION] == (None, 3.5, True)
     assert scores(term)["right"][check_id("pinhole.project_pinhole")][0] < 6
 

@@ -1,9 +1,17 @@
-"""A gradebook in a database of PostgreSQL: the same scores, and nbgrader's own commands."""
+"""A gradebook in a database of PostgreSQL: the same scores, and nbgrader's own commands.
+
+And what is said of a database, of either kind, that is no gradebook or cannot be reached.
+"""
 
 import csv
 import os
 import re
 import shutil
+import sqlite3
+import subprocess
+import sys
+import time
+from contextlib import closing
 from types import SimpleNamespace
 
 import pytest
@@ -18,7 +26,7 @@ from benchmarks.scenes import ASSIGNMENT, Scene, database_of
 from benchmarks.snapshots import snapshot
 from course_lib.cli import main
 from course_lib.grading.assignment import read_assignment
-from course_lib.grading.gradebooks import DRIVER, gradebook_url
+from course_lib.grading.gradebooks import DRIVER, gradebook_url, only_writer, open_gradebook
 from course_lib.grading.term import make_term as write_term
 from course_lib.grading.term import plan_term
 from data_generators.classes import write_submissions
@@ -148,16 +156,56 @@ def comparable(row):
 @pytest.mark.slow
 @walled
 @served
-def test_a_wrong_password_is_said_in_a_sentence(both, server, tmp_path, monkeypatch):
-    wrong = tmp_path / "pgpass"
-    wrong.write_text(f"127.0.0.1:{server.port}:*:*:guessed\n")
-    wrong.chmod(0o600)
-    monkeypatch.setenv("PGPASSFILE", str(wrong))
-    done = run("course", "grade", ASSIGNMENT, cwd=both.postgresql)
-    assert done.returncode == 2
-    assert "the gradebook does not do what it should" in done.stderr
-    assert "password authentication failed" in done.stderr
-    assert "Traceback" not in done.stderr
+@pytest.mark.parametrize(
+    ("found", "put", "sentence"),
+    [
+        ("teacher@", "nobody@", r'no password supplied|authentication failed for user "nobody"'),
+        ("/camera'", "/nowhere'", 'database "nowhere" does not exist'),
+        ("@127.0.0.1:", "@127.0.0.1:1", "connection"),  # no such port, or nobody there
+    ],
+)
+def test_a_database_that_cannot_be_reached(both, tmp_path, found, put, sentence, capfd):
+    config = (both.postgresql / "nbgrader_config.py").read_text()
+    assert config.count(found) == 1
+    (tmp_path / "nbgrader_config.py").write_text(config.replace(found, put))
+    shutil.copy(both.postgresql / "grading.key", tmp_path)
+    for command in ("grade", "report", "export"):
+        assert main([command, ASSIGNMENT, "--term", str(tmp_path)]) == 2
+        said = capfd.readouterr().err
+        assert "course: the gradebook does not do what it should: " in said
+        assert re.search(sentence, said)
+        assert re.search(r"Look whether the server of postgresql\S+ runs", said)
+        assert len(said.splitlines()) == 1
+
+
+@pytest.mark.slow
+@walled
+@served
+def test_two_copies_of_a_term_do_not_write_into_one_database(both, capsys):
+    url = read_assignment(both.waiting, ASSIGNMENT).db_url
+    hold = (
+        "import sys, time\nfrom course_lib.grading.gradebooks import only_writer\n"
+        f"with only_writer({url!r}):\n    print('held', flush=True)\n    time.sleep(600)"
+    )
+    holder = subprocess.Popen([sys.executable, "-c", hold], stdout=subprocess.PIPE, text=True)
+    try:
+        assert holder.stdout.readline() == "held\n"
+        assert main(["grade", ASSIGNMENT, "--term", str(both.waiting)]) == 2
+        assert "another `course grade` is at work with the gradebook" in capsys.readouterr().err
+        assert not (both.waiting / "autograded").exists()
+        assert main(["report", "--term", str(both.waiting)]) == 0  # reading is free
+    finally:
+        holder.kill()  # whatever becomes of it, the lock goes with it
+        holder.communicate()
+    limit = time.monotonic() + 60
+    while True:
+        try:
+            with only_writer(url):
+                break
+        except RuntimeError:
+            assert time.monotonic() < limit
+    with only_writer(url):  # given back
+        pass
 
 
 @pytest.mark.slow
@@ -194,3 +242,74 @@ def test_a_url_that_cannot_be_used(typed, sentence):
     with pytest.raises(ValueError, match=sentence) as caught:
         gradebook_url(typed)
     assert "secret" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("url", "sentence"),
+    [
+        ("gradebook.db", "in nbgrader_config.py is no URL of a database that can be used"),
+        ("nothing://host/camera", "in nbgrader_config.py is no URL of a database"),
+        (
+            "mysql://me:secret@host/camera",
+            r"mysql://me:\*\*\*@host/camera needs the driver MySQLdb, which is not installed",
+        ),
+        (
+            "postgresql+psycopg2://me@host/camera",
+            r"psycopg2, .* begins with postgresql\+psycopg://",
+        ),
+    ],
+)
+def test_a_url_written_by_hand_that_cannot_be_used(url, sentence):
+    with pytest.raises(ValueError, match=sentence), open_gradebook(url, "camera"):
+        pass
+
+
+def test_a_database_of_something_else_stays_as_it_is(tmp_path):
+    path = tmp_path / "places.db"
+    with closing(sqlite3.connect(path)) as other:
+        other.execute("CREATE TABLE bookmarks (address TEXT)")
+    with (
+        pytest.raises(ValueError, match=r"places\.db is no gradebook: it holds bookmarks and"),
+        open_gradebook(f"sqlite:///{path}", "camera"),
+    ):
+        pass
+    with closing(sqlite3.connect(path)) as other:
+        assert other.execute("SELECT name FROM sqlite_master").fetchall() == [("bookmarks",)]
+
+
+def test_a_file_that_is_no_database(tmp_path):
+    path = tmp_path / "gradebook.db"
+    path.write_text("Dear diary, " * 100)
+    sentence = r"file is not a database\. Put your copy of gradebook\.db into its place"
+    with pytest.raises(RuntimeError, match=sentence), open_gradebook(f"sqlite:///{path}", "camera"):
+        pass
+    with (
+        pytest.raises(RuntimeError, match=r"unable to open database file\. Look after .*nowhere"),
+        open_gradebook(f"sqlite:///{tmp_path}/nowhere/gradebook.db", "camera"),
+    ):
+        pass
+
+
+def test_a_gradebook_that_another_program_locks_or_another_nbgrader_made(tmp_path, capfd):
+    path = tmp_path / "gradebook.db"
+
+    def write_while_it_is_locked():
+        with (
+            open_gradebook(f"sqlite:///{path}?timeout=0.1", "camera") as gradebook,
+            closing(sqlite3.connect(path)) as other,
+        ):
+            other.execute("BEGIN EXCLUSIVE")
+            gradebook.update_or_create_student("ada")  # which nbgrader says with a stack trace
+
+    with pytest.raises(RuntimeError, match=r"database is locked\. Another program writes into it"):
+        write_while_it_is_locked()
+    assert "Traceback" not in capfd.readouterr().err
+    with closing(sqlite3.connect(path)) as file:
+        file.execute("ALTER TABLE student DROP COLUMN lms_user_id")
+        file.commit()
+    sentence = "no such column: student.lms_user_id.* then run nbgrader db upgrade"
+    with (
+        pytest.raises(RuntimeError, match=sentence),
+        open_gradebook(f"sqlite:///{path}", "camera") as gradebook,
+    ):
+        gradebook.find_student("ada")

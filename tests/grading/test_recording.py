@@ -6,9 +6,10 @@ import pytest
 from nbgrader.api import Gradebook
 
 from course_lib.grading import recording
-from course_lib.grading.assignment import fingerprint, read_assignment
+from course_lib.grading.assignment import read_assignment
 from course_lib.grading.one import Graded
 from course_lib.grading.recording import Recorder, is_graded
+from course_lib.grading.submissions import fingerprint
 
 pytestmark = pytest.mark.slow
 ASSIGNMENT = "01_pinhole"
@@ -25,7 +26,7 @@ def graded(assignment, **more):
 
 
 def save(assignment, what):
-    with Recorder(assignment) as recorder:
+    with recording.recording(assignment) as recorder:
         return recorder.save(what)
 
 
@@ -87,3 +88,64 @@ def test_a_time_that_is_none_counts_as_no_time(assignment):
     assert save(assignment, graded(assignment)).trouble == ""
     with Gradebook(assignment.db_url, assignment.course_id) as gradebook:
         assert gradebook.find_submission(ASSIGNMENT, "right").timestamp is None
+
+
+@pytest.fixture
+def due(new_term):
+    """An assignment with a deadline, after which all points are taken off."""
+    term = new_term("due", ["right"])
+    with (term / "nbgrader_config.py").open("a") as file:
+        file.write('c.LateSubmissionPlugin.penalty_method = "zero"\n')
+    found = read_assignment(term, ASSIGNMENT)
+    with Gradebook(found.db_url, found.course_id) as gradebook:
+        gradebook.update_or_create_assignment(ASSIGNMENT, duedate="2026-10-02 12:00:00 UTC")
+    return found
+
+
+def hand_in_at(assignment, time):
+    (assignment.submitted("right") / "timestamp.txt").write_text(time)
+
+
+def time_and_score(assignment):
+    with Gradebook(assignment.db_url, assignment.course_id) as gradebook:
+        found = gradebook.find_submission(ASSIGNMENT, "right")
+        return str(found.timestamp), found.score - found.late_submission_penalty
+
+
+def test_handed_in_again_unchanged_it_gets_the_new_time_and_its_penalty(due, monkeypatch):
+    def end(*_):
+        raise Killed
+
+    early, late = "2026-10-02 11:00:00 UTC", "2026-10-02 13:00:00 UTC"
+    hand_in_at(due, early)
+    save(due, graded(due, grades={ASSIGNMENT: {"pinhole-dolly_zoom-check": 4.0}}))
+    assert time_and_score(due) == ("2026-10-02 11:00:00", 4.0)
+    hand_in_at(due, late)
+    assert is_graded(due, "right")
+    with recording.recording(due) as recorder:
+        for where, step in ((Recorder, "_penalize"), (recording, "_write")):
+            with monkeypatch.context() as patch:
+                patch.setattr(where, step, end)
+                with pytest.raises(Killed):
+                    recorder.note_time("right")
+        assert recorder.note_time("right")
+        assert time_and_score(due) == ("2026-10-02 13:00:00", 0.0)
+        assert not recorder.note_time("right")
+        (due.submitted("right") / "timestamp.txt").unlink()  # as if it had come by mail
+        assert recorder.note_time("right")
+        assert not recorder.note_time("right")
+    assert time_and_score(due) == ("None", 4.0)
+    assert is_graded(due, "right")
+
+
+def test_a_file_beside_the_notebook_is_a_part_of_it(assignment):
+    helper = assignment.submitted("right") / "deep/helper.py"
+    helper.parent.mkdir()
+    helper.write_text("factor = 1")
+    save(assignment, graded(assignment))
+    assert is_graded(assignment, "right")
+    helper.write_text("factor = 2")
+    assert not is_graded(assignment, "right")
+    save(assignment, graded(assignment))
+    hand_in_at(assignment, "2026-10-02 13:00:00 UTC")
+    assert is_graded(assignment, "right")
