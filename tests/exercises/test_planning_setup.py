@@ -165,6 +165,7 @@ def test_giving_up_one_demand_altogether_earns_nothing(settings):
         ({"secret again": 0}, "was expected, not a dictionary with more"),
         ({"camera": 7}, "`camera` must be one of the numbers 0 to 2"),
         ({"lens": 0.5}, "`lens` is a number; its number in the list was expected, from 0"),
+        ({"distance": 10**400}, "`distance` must be a positive number"),
         ({"camera": float("nan")}, "its number in the list"),
         ({"camera": "the second"}, "`camera` is a text"),
         ({"lens": {"f_mm": 25.0}}, "`lens` is a dictionary"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+import sys
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -40,7 +40,7 @@ def broken(plan: Any, inputs: Inputs) -> str:
         value = plan[key]
         if not _is_number(value):
             return f"`{key}` is {describe(value)}; a number was expected."
-        if not (math.isfinite(value) and value > 0):
+        if not 0 < value <= sys.float_info.max:  # NaN, infinity and whole numbers without end, too
             return f"`{key}` must be a positive number."
     return _not_on_the_lens(plan, inputs)
 
