@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 import course_lib
 from course_lib.calibrating import add_calibrate_command, add_target_command
-
-TERM = "the term's directory"
-NO_WINDOWS = "grading needs Linux or macOS; on Windows, use WSL"
 
 
 class UsageError(Exception):
@@ -113,6 +111,18 @@ def _add_term(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
     command.set_defaults(run=_term)
 
 
+def _term(options: argparse.Namespace) -> int:
+    from course_lib.grading.term import make_term, plan_term
+
+    root = course_folder()
+    places = (options.course_id, options.exchange, options.gradebook)
+    term = plan_term(options.directory, root, options.chapters, *places)
+    make_term(term, root)
+    print(f"Made {term.directory} with {', '.join(term.chapters)}.")
+    print(f"Next: cd there, read README.md, run: nbgrader generate_assignment {term.chapters[0]}")
+    return 0
+
+
 def _add_grade(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     command = commands.add_parser(
         "grade",
@@ -123,13 +133,20 @@ def _add_grade(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     option("assignment", nargs="?", metavar="NN_topic", help="which assignment")
     option("--student", nargs="+", default=[], metavar="ID", help="only these")
     option("--force", action="store_true", help="grade again what was graded")
-    option("--term", type=Path, default=Path(), metavar="DIR", help=TERM)
+    _add_term_option(command)
     many = "how many at a time (one for each core, or worker of the cluster)"
     option("--workers", type=_number, metavar="N", help=many)
     option("--scheduler", metavar="ADDRESS", help="grade on this Dask cluster, not here")
-    option("--isolation", choices=["bubblewrap", "none"], help="'none' trusts every submission")
+    _add_isolation_option(command, "'none' trusts every submission")
     option("--explain-isolation", action="store_true", help="say what holds on this machine")
     command.set_defaults(run=_grade)
+
+
+def _grade(options: argparse.Namespace) -> int:
+    _demand_posix()
+    from course_lib.grading.command import grade
+
+    return grade(options)
 
 
 def _add_report(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -139,9 +156,14 @@ def _add_report(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
         description="Write report/NN_topic/index.html and a page on each student, in a term's "
         "directory: scores, exercises, misconceptions, submissions that look alike.",
     )
-    command.add_argument("assignments", nargs="*", metavar="NN_topic", help="all, unless named")
-    command.add_argument("--term", type=Path, default=Path(), metavar="DIR", help=TERM)
+    _add_assignments(command)
     command.set_defaults(run=_report)
+
+
+def _report(options: argparse.Namespace) -> int:
+    from course_lib.grading.report import report
+
+    return report(options)
 
 
 def _add_export(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -150,13 +172,12 @@ def _add_export(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
         help="write the points as Canvas, Moodle and nbgrader read them",
         description="Write export/canvas.csv, moodle.csv and nbgrader.csv in a term's directory.",
     )
+    _add_assignments(command)
     option = command.add_argument
-    option("assignments", nargs="*", metavar="NN_topic", help="all, unless named")
     roster = "a CSV file that Canvas or Moodle exported: write the table for it, matched to it"
     option("--roster", type=Path, metavar="FILE", help=roster)
     missing = "what who handed nothing in gets (an empty cell)"
-    option("--missing", type=float, metavar="POINTS", help=missing)
-    option("--term", type=Path, default=Path(), metavar="DIR", help=TERM)
+    option("--missing", type=_points, metavar="POINTS", help=missing)
     command.set_defaults(run=_export)
 
 
@@ -176,22 +197,34 @@ def _add_demo(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
     option("directory", nargs="?", type=Path, metavar="DIR", help="a new folder (a temporary one)")
     option("--chapter", default="01_pinhole", metavar="NN_topic", help="which (01_pinhole)")
     option("--students", type=_number, default=30, metavar="N", help="how many, 8 to 30 (30)")
-    option("--isolation", choices=["bubblewrap", "none"], help="as in course grade")
+    _add_isolation_option(command, "as in course grade")
     command.set_defaults(run=_demo)
 
 
 def _demo(options: argparse.Namespace) -> int:
-    if sys.platform == "win32":
-        raise UsageError(NO_WINDOWS)
+    _demand_posix()
     from course_lib.grading.demo import demo
 
     return demo(options)
 
 
-def _report(options: argparse.Namespace) -> int:
-    from course_lib.grading.report import report
+def _add_assignments(command: argparse.ArgumentParser) -> None:
+    command.add_argument("assignments", nargs="*", metavar="NN_topic", help="all, unless named")
+    _add_term_option(command)
 
-    return report(options)
+
+def _add_term_option(command: argparse.ArgumentParser) -> None:
+    where = "the term's directory"
+    command.add_argument("--term", type=Path, default=Path(), metavar="DIR", help=where)
+
+
+def _add_isolation_option(command: argparse.ArgumentParser, meaning: str) -> None:
+    command.add_argument("--isolation", choices=["bubblewrap", "none"], help=meaning)
+
+
+def _demand_posix() -> None:
+    if sys.platform == "win32":
+        raise UsageError("grading needs Linux or macOS; on Windows, use WSL")
 
 
 def _number(text: str) -> int:
@@ -201,24 +234,11 @@ def _number(text: str) -> int:
     return int(text)
 
 
-def _grade(options: argparse.Namespace) -> int:
-    if sys.platform == "win32":
-        raise UsageError(NO_WINDOWS)
-    from course_lib.grading.command import grade
-
-    return grade(options)
-
-
-def _term(options: argparse.Namespace) -> int:
-    from course_lib.grading.term import make_term, plan_term
-
-    root = course_folder()
-    places = (options.course_id, options.exchange, options.gradebook)
-    term = plan_term(options.directory, root, options.chapters, *places)
-    make_term(term, root)
-    print(f"Made {term.directory} with {', '.join(term.chapters)}.")
-    print(f"Next: cd there, read README.md, run: nbgrader generate_assignment {term.chapters[0]}")
-    return 0
+def _points(text: str) -> float:
+    """Return the points that were typed; never less than none, or what is no number."""
+    if not re.fullmatch(r"\d+(\.\d*)?", text, re.ASCII):
+        raise argparse.ArgumentTypeError(f"expected points, as 0 or 2.5, got {text!r}")
+    return float(text)
 
 
 def course_folder(start: Path | None = None) -> Path:

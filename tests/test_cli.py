@@ -32,7 +32,13 @@ def test_help_reads_well(capsys, monkeypatch):
     assert "make a course directory in which nbgrader works" in text
 
 
-@pytest.mark.parametrize("arguments", [[], ["bild"], ["build", "--chek"], ["term"]])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [], ["bild"], ["build", "--chek"], ["term"],
+        *(["export", "--missing", typed] for typed in ("nan", "inf", "1e9", "-1", "two")),
+    ],
+)  # fmt: skip
 def test_misuse_ends_with_2(capsys, arguments):
     with pytest.raises(SystemExit) as ended:
         cli.main(arguments)

@@ -155,6 +155,11 @@ def test_another_file_is_refused_in_a_sentence(tmp_path, text, encoding):
         written(tmp_path, text, encoding)
 
 
+def test_a_quotation_mark_that_never_closes_is_said(tmp_path):
+    with pytest.raises(ValueError, match=r"roster\.csv cannot be read as CSV .*; export it again"):
+        written(tmp_path, CANVAS + '"' + "Baker, Thomas;103\n" * 10_000)
+
+
 def test_nbgraders_own_table():
     header, *rows = nbgrader_table(POINTS)
     line = dict(zip(header, rows[2], strict=True))
