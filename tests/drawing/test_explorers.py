@@ -12,7 +12,7 @@ from course_lib.drawing.explorers.frame import (
     Readout,
     matrix,
 )
-from course_lib.drawing.explorers.stills import still
+from course_lib.drawing.explorers.stills import _caption, still
 
 GREY = np.full((60, 80, 3), 128, np.uint8)
 READING = Readout("Field", "θ", "65.5", "°")
@@ -30,6 +30,14 @@ def test_the_still_figure_shows_the_photograph_and_its_lines():
     middle = png[png.shape[0] // 5 : -png.shape[0] // 5]
     assert (middle == 128).all(axis=2).mean() > 0.4  # the photograph
     assert (middle == (0xD5, 0x5E, 0x00)).all(axis=2).any()  # the line, in its role's colour
+
+
+@pytest.mark.parametrize("length", range(1, 26))
+def test_lines_of_a_caption_end_between_two_settings(length):
+    settings = f"{'Name' * length}: 1 mm; Focal length: 24 mm; Corner: u = 3 px, v = 4 px; Aim: 5 °"
+    *lines, last = _caption(Frame((Picture("Street", "", (80, 60), GREY),)), settings).split("\n")
+    assert all(line.endswith((";", ",")) for line in lines)
+    assert last.replace("\N{NO-BREAK SPACE}", " ").endswith("Aim: 5 °")
 
 
 def test_every_ingredient_can_be_drawn():

@@ -38,8 +38,7 @@ def still(frame: Frame, settings: str = "") -> bytes:
     from matplotlib.figure import Figure
 
     widths, heights = zip(*(p.size for p in frame.pictures), strict=True)
-    unbroken = re.sub(r"(?<![,;]) ", "\N{NO-BREAK SPACE}", settings)  # a value keeps its unit
-    caption = "\n".join([*textwrap.wrap(unbroken, 115), *filter(None, [_numbers(frame)])])
+    caption = _caption(frame, settings)
     with style.course_style():
         height = (
             style.FULL_WIDTH * max(heights) / sum(widths) + 0.5 + 0.18 * (caption.count("\n") + 1)
@@ -53,6 +52,12 @@ def still(frame: Frame, settings: str = "") -> bytes:
         png = io.BytesIO()
         figure.savefig(png, format="png")
     return png.getvalue()
+
+
+def _caption(frame: Frame, settings: str) -> str:
+    """Return where the controls stand, in lines that part no value from its unit, and numbers."""
+    unbroken = re.sub(r"(?<![,;]) ", "\N{NO-BREAK SPACE}", settings)
+    return "\n".join([*textwrap.wrap(unbroken, 115), *filter(None, [_numbers(frame)])])
 
 
 def _draw(axes: Axes, picture: Picture) -> None:
