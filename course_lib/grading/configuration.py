@@ -10,6 +10,7 @@ from nbgrader.preprocessors import ClearOutput, Execute, OverwriteCells
 from traitlets.config import Config
 
 from course_lib.authoring.options import find_scripts, release_options
+from course_lib.grading.collecting import CollectFiles
 from course_lib.grading.feedback_page import FeedbackPage
 from course_lib.grading.labelling import LabelCells
 from course_lib.grading.plugin import AnswerOutside
@@ -46,6 +47,7 @@ def configure(options: Config, key_file: str | Path) -> None:
     options.Autograde.autograde_preprocessors = _usual("autograde_preprocessors").swap(
         Execute, [AnswerOutside]
     )
+    options.ExchangeFactory.collect = CollectFiles
     options.GenerateFeedback.pre_convert_hook = write_receipts
     options.GenerateFeedback.exporter_class = FeedbackPage
 

@@ -148,7 +148,7 @@ class Judge:
                 asked = self._ask(conversation, number, check.exercise, submitted.seed, lines)
                 verdicts[check.cell] = asked[0] if asked else None
                 seconds[check.cell] = time.perf_counter() - start
-                again += [number] if asked and asked[1] - {""} else []
+                again += [number] if asked and asked[1] & _hidden(todo) else []
             reason = conversation.reason
         deadline = time.perf_counter() + self._allowance.total_seconds
         for number in again:  # something that this exercise may use was hidden

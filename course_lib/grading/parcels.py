@@ -11,6 +11,7 @@ from pathlib import Path
 from course_lib.grading.assignment import Assignment
 from course_lib.grading.seeding import grading_seed, read_key
 from course_lib.grading.submissions import (
+    MOST_BESIDE,
     UnreadableError,
     all_beside,
     files_beside,
@@ -73,7 +74,8 @@ def pack(assignment: Assignment, student: str) -> Parcel:
         there = [n for n in assignment.notebooks if os.path.lexists(folder / f"{n}.ipynb")]
         if not there:
             raise UnreadableError(_not_there(folder, list(assignment.notebooks)))
-        if sum(path.stat().st_size for path in all_beside(folder)) > MOST_COPIED:
+        sizes = [path.stat().st_size for path in all_beside(folder)]
+        if len(sizes) > MOST_BESIDE or sum(sizes) > MOST_COPIED:
             raise UnreadableError(TOO_LARGE)
         notebooks = {name: read_content(folder / f"{name}.ipynb") for name in there}
         return Parcel(student, mark, seed, notebooks, files_beside(folder))
@@ -84,23 +86,35 @@ def pack(assignment: Assignment, student: str) -> Parcel:
 
 
 TOO_LARGE = (
-    "The files beside the notebook are too large to be graded. Please hand in only the notebook "
-    "and what it needs."
+    "The files beside the notebook are too large or too many to be graded. Please hand in only "
+    "the notebook and what it needs."
 )
 
 
 def unforeseen(error: Exception) -> str:
     """Return what is said where nobody foresaw that grading would fail."""
-    reason = f"{type(error).__name__}: {error}"[:500]
+    reason = shown(f"{type(error).__name__}: {error}"[:500])
     return f"The notebook could not be graded ({reason}). A person must look at it."
+
+
+def shown(text: str) -> str:
+    """Return a text of a student's own with what a terminal would carry out, or cannot print, as ?.
+
+    Parameters
+    ----------
+    text : str
+        E.g. the name of a file, of any bytes.
+    """
+    return "".join(letter if letter.isprintable() else "?" for letter in text)
 
 
 def _not_there(folder: Path, names: list[str]) -> str:
     wanted = " and ".join(f"{name}.ipynb" for name in names)
     others = sorted(path.name for path in folder.glob("*.ipynb"))
     if others:
+        there = shown(", ".join(others[:3]))[:300]
         return (
-            f"There is no {wanted}, but {', '.join(others[:3])}. Please give the file the name "
+            f"There is no {wanted}, but {there}. Please give the file the name "
             "that it had, and hand it in again."
         )
     return f"There is no {wanted} in what was handed in. Please hand it in again."

@@ -13,7 +13,7 @@ from course_lib.grading.keeping import kept_judge
 from course_lib.grading.marking import mark
 from course_lib.grading.outside import Submitted
 from course_lib.grading.seeding import grading_seed, read_key
-from course_lib.grading.submissions import files_beside, given_cells
+from course_lib.grading.submissions import demand_size, files_beside, given_cells
 from course_lib.sandbox.limits import allowance_for
 
 
@@ -32,6 +32,7 @@ class AnswerOutside(NbGraderPreprocessor):  # type: ignore[misc]
         self, nb: NotebookNode, resources: dict[str, Any]
     ) -> tuple[NotebookNode, dict[str, Any]]:
         """Judge one notebook."""
+        demand_size(nb)
         who = resources["nbgrader"]
         seed = grading_seed(read_key(Path(self.key_file)), who["student"], who["assignment"])
         root = Path(self.key_file).parent

@@ -208,7 +208,8 @@ def _timestamp(folder: Path) -> str:
     path = folder / "timestamp.txt"
     if path.is_symlink() or not path.is_file():
         return ""
-    text = path.read_text(encoding="utf-8", errors="replace").strip()[:100]
+    with path.open(encoding="utf-8", errors="replace") as file:  # of any length
+        text = file.read(100).strip()
     try:
         parse_utc(text)
     except (ValueError, OverflowError, TypeError):

@@ -5,9 +5,10 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import cache
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,11 @@ from nbformat import NotebookNode
 
 #: Bytes of a notebook, and of all files beside it, that are still read.
 MOST_NOTEBOOK, MOST_FILES = 30_000_000, 15_000_000
+#: Cells, and letters in them, that are still graded: the grader reads them all with nobody to stop
+#: it. The course's notebooks have a tenth of it.
+MOST_CELLS, MOST_LETTERS = 2000, 500_000
+#: Files beside a notebook that are still looked at, and bytes of one that tell versions apart.
+MOST_BESIDE, MOST_COMPARED = 1000, 100_000_000
 #: What nbgrader leaves out when it copies a submission.
 NOT_COPIED = {"__pycache__", ".ipynb_checkpoints"}
 #: What nbgrader puts beside a notebook; it concerns no program.
@@ -82,7 +88,7 @@ def read_notebook(content: bytes) -> NotebookNode:
         return _parsed(content)
     except UnreadableError:
         raise
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+    except Exception as error:  # a file may hold anything
         raise UnreadableError(_what_is_wrong(error)) from None
 
 
@@ -93,11 +99,44 @@ def _parsed(content: bytes) -> NotebookNode:
         raise UnreadableError(
             "The file is no Jupyter notebook. Please hand in the .ipynb file that you were given."
         )
+    demand_size(tree)
+    json.dumps(tree, ensure_ascii=False).encode()  # half letters cannot be written
     notebook = nbformat.convert(nbformat.reader.reads(text), 4)
     notebook.nbformat_minor = max(int(notebook.get("nbformat_minor", 0)), 5)
     _, notebook = nbformat.validator.normalize(notebook, strip_invalid_metadata=True)
     nbformat.validate(notebook)
     return notebook
+
+
+def demand_size(notebook: Mapping[str, Any]) -> None:
+    """Make sure that a notebook is not so long that it keeps the grader from the others.
+
+    Parameters
+    ----------
+    notebook : mapping
+        As in its file, whatever is in it, or read already.
+
+    Raises
+    ------
+    UnreadableError
+        If it has too many cells or letters; the message says so and what to do.
+    """
+    sheets = [notebook, *(s for s in _items(notebook, "worksheets") if isinstance(s, Mapping))]
+    cells = [cell for sheet in sheets for cell in _items(sheet, "cells")]
+    letters = sum(len(str(c.get(k, ""))) for c in cells if isinstance(c, Mapping) for k in _TEXTS)
+    if len(cells) > MOST_CELLS or letters > MOST_LETTERS:
+        raise UnreadableError(
+            f"The notebook has {len(cells)} cells with {letters} letters, which is too much to "
+            "grade. Please keep your answers and remove what is not needed, and hand it in again."
+        )
+
+
+_TEXTS = ("source", "input")  # the second in files of before 2014
+
+
+def _items(part: Mapping[str, Any], name: str) -> Sequence[Any]:
+    found = part.get(name)
+    return found if isinstance(found, list) else ()
 
 
 def _what_is_wrong(error: Exception) -> str:
@@ -162,18 +201,22 @@ def files_beside(folder: Path) -> dict[str, bytes]:
 
 
 def all_beside(folder: Path) -> Iterator[Path]:
-    """Yield the files beside the notebooks of a folder, in the folders below it, too.
+    """Return the files beside the notebooks of a folder, in the folders below it, too.
 
     Parameters
     ----------
     folder : pathlib.Path
         A submission's, or the source's. Links are left out: they could lead anywhere.
 
-    Yields
-    ------
-    pathlib.Path
-        In the same order for the same files.
+    Returns
+    -------
+    iterator of pathlib.Path
+        In the same order for the same files; one more than `MOST_BESIDE` at most.
     """
+    return islice(_everything_beside(folder), MOST_BESIDE + 1)
+
+
+def _everything_beside(folder: Path) -> Iterator[Path]:
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name not in NOT_COPIED)
         for name in sorted(names):
@@ -211,5 +254,5 @@ def _digest(digest: Any, name: str, path: Path) -> None:
     if path.is_file() and not path.is_symlink():
         digest.update(f"{name}\x1f{path.stat().st_size}\x1f".encode())
         with path.open("rb") as file:
-            while part := file.read(1 << 20):
+            while file.tell() < MOST_COMPARED and (part := file.read(1 << 20)):
                 digest.update(part)

@@ -1,6 +1,7 @@
 """Fetch, submit, collect and get feedback through nbgrader's exchange, as on a shared machine."""
 
 import getpass
+import os
 import re
 
 import nbformat
@@ -38,7 +39,14 @@ def test_there_and_back(released_term, student):
             cell.source = "def dolly_zoom(f, Z, Z_new):\n    return f * Z_new / Z"
     nbformat.write(notebook, mine)
     succeed("submit", cwd=student)
+    (sent,) = (released_term / "exchange/camera/inbound").iterdir()
+    (sent / "data.txt").symlink_to(released_term / "grading.key")
+    (sent / "folder").symlink_to(released_term / "source")
+    os.mkfifo(sent / "pipe")
     succeed("collect", cwd=released_term)
+    (sent / "pipe").unlink()  # the term is copied by other tests
+    taken = released_term / "submitted" / me / ASSIGNMENT
+    assert not {"data.txt", "folder", "pipe"} & {path.name for path in taken.iterdir()}
     assert (
         released_term / "submitted" / me / ASSIGNMENT / mine.name
     ).read_bytes() == mine.read_bytes()

@@ -91,9 +91,16 @@ PIECES = [
     '"', "<!--", "-->", "|", "--|--", "&lt;", "mermaid", "\\", "# ", "> ", "- ", "a", "<details>",
 ]  # fmt: skip
 
+#: Pieces in one line, and each in its own.
+SOURCES = st.builds(
+    lambda between, pieces: between.join(pieces),
+    st.sampled_from(["", "\n"]),
+    st.lists(st.sampled_from(PIECES), max_size=14),
+)
+
 
 @settings(max_examples=150, deadline=None)
-@given(st.lists(st.sampled_from(PIECES), max_size=14).map("".join))
+@given(SOURCES)
 def test_whatever_is_shown_as_typed_is_harmless(source):
     """Also where a student tries to end the block of code early."""
     shown = page_of(as_typed(source))
@@ -101,7 +108,7 @@ def test_whatever_is_shown_as_typed_is_harmless(source):
 
 
 @settings(max_examples=150, deadline=None)
-@given(st.lists(st.sampled_from(PIECES), max_size=14).map("".join))
+@given(SOURCES)
 def test_no_tag_that_could_run_passes(source):
     page = page_of(source)
     runs = re.search(r"<(script|img[^>]*onerror|b\s*onerror)|(href|src)=.javascript:|<!--", page)

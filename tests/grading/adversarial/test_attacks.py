@@ -79,8 +79,8 @@ def graded(judge, attack: Attack, after: str = "", files=None):
         if verdict is None:
             assert submitted.cells[place].outputs[0].evalue in {CRASH, *REASONS.values()}
         else:
-            lost = [part for part in verdict.parts if part.points < part.possible]
-            assert all(re.search(r"\w+ \w+ \w+.*[.?]$", part.feedback.message) for part in lost), lost
+            lost = [part.feedback.message for part in verdict.parts if part.points < part.possible]
+            assert all(re.search(r"\w+ \w+ \w+.*[.?]$", message) for message in lost), lost
     words = [to_text(verdict) for verdict in verdicts if verdict is not None]
     words += [str(cell.outputs) for cell in submitted.cells]
     return points, "\n".join(words)
