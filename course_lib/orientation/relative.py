@@ -20,8 +20,9 @@ from course_lib.checks import (
     check_vector,
 )
 from course_lib.correspondences import check_correspondences
+from course_lib.epipolar.lines import sampson_residuals
+from course_lib.homogeneous import to_homogeneous
 from course_lib.least_squares import levenberg_marquardt
-from course_lib.orientation.three_points import unit_rays
 from course_lib.transforms.euler import (
     CV_FROM_PHOTOGRAMMETRIC,
     omega_phi_kappa_from_rotation,
@@ -44,7 +45,7 @@ class RelativeOrientation(NamedTuple):
     sigma : ndarray, shape (5,)
         Standard deviations of ``by, bz, omega, phi, kappa``, judged by the residuals.
     residuals : ndarray, shape (N,)
-        By how much rays miss each other, as an angle in the pictures, px.
+        By how much both pixels together have to move until their rays meet (Sampson error), px.
     """
 
     base: Array
@@ -151,14 +152,17 @@ def relative_orientation(
     one, other = check_correspondences(first, second, (2, 2), names, least=6)
     K_one = check_intrinsics(K)
     K_other = K_one if K_second is None else check_intrinsics(K_second)
-    rays = unit_rays(one, K_one), unit_rays(other, K_other)
-    f = float(K_one[0, 0])
+    x1, x2 = to_homogeneous(one).T, to_homogeneous(other).T
+    left, right = np.linalg.inv(K_other).T, np.linalg.inv(K_one)
 
     def problem(p: Array) -> tuple[Array, Array]:
-        missed = _missed(p, *rays)
-        steps = 1e-6 * np.eye(5)
-        slopes = [(_missed(p + e, *rays) - _missed(p - e, *rays)) / 2e-6 for e in steps]
-        return f * missed, f * np.stack(slopes, axis=1)
+        slopes = [(missed(p + e) - missed(p - e)) / 2e-6 for e in 1e-6 * np.eye(5)]
+        return missed(p), np.stack(slopes, axis=1)
+
+    def missed(p: Array) -> Array:
+        R, t = pose_from_relative([1, p[0], p[1]], p[2:])
+        F = left @ np.cross(t, R.T).T @ right  # the middle is [t]ₓ R
+        return sampson_residuals(F, x1, x2)
 
     fit = levenberg_marquardt(problem, np.zeros(5))
     sizes = np.linalg.norm(fit.jacobian, axis=0)
@@ -171,20 +175,3 @@ def relative_orientation(
     return RelativeOrientation(
         np.append(1.0, fit.parameters[:2]), fit.parameters[2:], fit.sigma, fit.residuals
     )
-
-
-def _missed(p: Array, one: Array, other: Array) -> Array:
-    """Return by how much rays miss each other: the coplanarity condition, as an angle.
-
-    ``x₂ᵀ E x₁ = 0``, over the length of its gradient by both directions.
-    """
-    R, t = pose_from_relative([1, p[0], p[1]], p[2:])
-    E = np.cross(t, R.T).T  # [t]ₓ R
-    lines, back = one @ E.T, other @ E
-    value = (other * lines).sum(axis=1)
-    # Only the parts across the rays can move them.
-    across = [
-        (line**2).sum(axis=1) - (line * ray).sum(axis=1) ** 2
-        for line, ray in ((lines, other), (back, one))
-    ]
-    return np.asarray(value / np.sqrt(across[0] + across[1]))
