@@ -28,6 +28,8 @@ MAGIC = re.compile(r"^\s*[%!?]|=\s*[%!]|\?\s*$", re.MULTILINE)
 SHOWING = ("course_lib.drawing", "course_lib.widgets")
 #: Who uses one of these can use any variable.
 SEES_ALL = {"exec", "eval", "globals", "locals", "vars", "dir", "get_ipython", "In", "Out", "_"}
+#: Cells of which is remembered what they use: those that all were given, but not all answers.
+MOST_CELLS = 512
 
 
 @dataclass(frozen=True)
@@ -139,7 +141,7 @@ def _is_given(cell: NotebookNode, untouched: set[str]) -> bool:
     return cell.source.strip() in untouched
 
 
-@lru_cache(maxsize=4096)  # most cells of a class are alike
+@lru_cache(MOST_CELLS)
 def names_used(source: str) -> frozenset[str]:
     """Return the names of variables that a cell does not make itself, or that it may change.
 
@@ -168,7 +170,7 @@ def names_used(source: str) -> frozenset[str]:
     return frozenset(names)
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(MOST_CELLS)
 def _made(source: str) -> frozenset[str]:
     """Return the names that a given cell assigns, imports or defines; all it uses, if unsure."""
     try:
@@ -179,7 +181,7 @@ def _made(source: str) -> frozenset[str]:
     return frozenset([*bound, *(child.get_name() for child in table.get_children())])
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(MOST_CELLS)
 def _showing(source: str) -> frozenset[str]:
     """Return the names under which a cell imports what shows figures."""
     try:
@@ -194,7 +196,7 @@ def _showing(source: str) -> frozenset[str]:
     )
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(MOST_CELLS)
 def _without_figures(source: str, showing: frozenset[str]) -> str:
     """Return a given cell without the statements that only show something."""
     try:
