@@ -321,3 +321,42 @@ def test_letters_of_einsum():
 
 def test_the_smallest_of_an_empty_list():
     assert "No entries are left" in said(min, [])
+
+
+@pytest.mark.parametrize(
+    ("use", "words"),
+    [
+        ("np.linalg(a)", "Which of its functions"),
+        ("(1, 2) / 2", "Make it an array"),
+        ("[1, 2].T", "Make it an array"),
+        ("math.sqrt(a)", "NumPy has it for arrays"),
+        ("np.zeros(2.5)", "`int(…)`"),
+        ("np.sum(a, axes=0)", "no argument of this name"),
+        ("np.eye()", "number of arguments"),
+        ("(lambda: (own, own := 1))()", "before it is assigned"),
+        ("np.linalg.cholesky(-np.eye(2))", "no factor"),
+        ("np.linalg.eig(np.nan * np.eye(2))", "NaN or infinite"),
+        ("np.einsum('ij->k', np.eye(2))", "each axis has its letter"),
+        ("np.diag(np.ones((2, 2, 2)))", "`np.eye`"),
+    ],
+)
+def test_common_slips(use, words):
+    assert words in said(eval, use, {"np": np, "math": math, "a": np.ones(3)})
+
+
+def test_a_function_that_calls_itself():
+    def again():
+        return again()
+
+    assert "calls itself" in said(again)
+
+
+@pytest.mark.parametrize(
+    ("error", "message", "words"),
+    [
+        ("TypeError", "only length-1 arrays can be converted to Python scalars", "for arrays too"),
+        ("ValueError", "expected a positive input, got -1.0", "above 0"),
+    ],
+)
+def test_other_versions_say_it_in_other_words(error, message, words):
+    assert words in advice(error, message)
