@@ -7,6 +7,7 @@ from real_data import fetched
 from two_views import K, angle_between, normalised, same_up_to_sign, scene, turn_between
 
 from course_lib.calibration import board_points, calibrate_stereo
+from course_lib.camera import camera_matrix, project
 from course_lib.distortion import undistort_pixels
 from course_lib.epipolar import (
     eight_point,
@@ -84,6 +85,20 @@ def test_triangulation(seed):
     ours = triangulate(s.points1, s.points2, s.P1, s.P2)
     off = np.linalg.norm(ours - best, axis=1) / np.linalg.norm(theirs - s.points, axis=1)
     assert np.median(off) < 0.01
+
+
+def test_triangulated_points_are_as_good_as_those_of_opencv():
+    """RMS in space at 0.5 px of noise, 100 000 points: chance leaves millionths to either side."""
+    P1, P2 = camera_matrix(K, np.eye(3), np.zeros(3)), scene(0, count=1).P2
+    squares = np.zeros(2)
+    for seed in range(10):
+        rng = np.random.default_rng(seed)
+        X = rng.uniform(-1, 1, (10_000, 3)) * [2, 1.5, 3] + [0, 0, 7]
+        one, other = (project(X, P) + 0.5 * rng.standard_normal((len(X), 2)) for P in (P1, P2))
+        theirs = cv2.triangulatePoints(P1, P2, one.T, other.T)
+        found = triangulate(one, other, P1, P2), (theirs[:3] / theirs[3]).T
+        squares += [((points - X) ** 2).sum() for points in found]
+    assert np.sqrt(squares[0] / squares[1]) <= 1 + 1e-5
 
 
 @pytest.mark.parametrize("wrong", [0.3, 0.6])
