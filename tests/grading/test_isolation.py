@@ -135,3 +135,12 @@ def test_a_term_can_be_set_up_where_nothing_can_be_isolated():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT)
     assert done.returncode == 0, done.stderr
+
+
+def test_nothing_of_the_graders_environment_goes_in_but_how_to_compute(monkeypatch, tmp_path):
+    monkeypatch.setenv("PGPASSWORD", "secret")
+    monkeypatch.setenv("OPENBLAS_CORETYPE", "Haswell")
+    for way in ("bubblewrap", "none"):
+        environment = build_walls(way, tmp_path, 3, 0).environment
+        assert environment["OPENBLAS_CORETYPE"] == "Haswell"
+        assert "secret" not in environment.values()
