@@ -81,6 +81,16 @@ def test_states(state, found):
     assert first.states == {s: int(s == state) for s in STATES}
 
 
+def test_seconds_are_the_median_of_those_that_are_known():
+    def took(seconds):
+        return {"pinhole.one": {"points": 4, "possible": 4, "seconds": seconds}}
+
+    found = [student(k, 4, 6, **took(s)) for k, s in enumerate((1.0, 9.0, 0.0, 2.0))]
+    first, second, _ = analyse(standings(*found, student(4, 4, 6)))
+    assert first.seconds == 2.0
+    assert second.seconds is None
+
+
 def test_misconceptions_of_most_students_come_first_then_those_that_cost_most():
     def wrong(name, points):
         hints = {"misconceptions": [name], "hints": [f"{name}?"]}
@@ -89,15 +99,15 @@ def test_misconceptions_of_most_students_come_first_then_those_that_cost_most():
     found = common_misconceptions(
         standings(
             student(
-                0, 0, 0, **{"pinhole.one": wrong("axes", 2.0), "pinhole.two": wrong("sign", 3)}
+                0, 0, 0, **{"pinhole.one": wrong("axes", 3.0), "pinhole.two": wrong("sign", 3)}
             ),
             student(
-                1, 0, 0, **{"pinhole.one": wrong("axes", 0.0), "pinhole.two": wrong("unit", 0)}
+                1, 0, 0, **{"pinhole.one": wrong("axes", 3.0), "pinhole.two": wrong("unit", 0)}
             ),
         )
     )
     assert [(m.name, m.students, m.points_lost) for m in found] == [
-        ("axes", ("s00", "s01"), 6.0),
+        ("axes", ("s00", "s01"), 2.0),
         ("unit", ("s01",), 4.0),
         ("sign", ("s00",), 1.0),
     ]
