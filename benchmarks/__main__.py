@@ -36,6 +36,7 @@ ENTRIES: dict[str, Callable[[], list[Row]]] = {
     "converging": convergence.converging,
     "distorting": lens.distorting,
     "looking": photographs.looking,
+    "trusting": photographs.trusting,
     "refining": corners.refining,
     "estimating": estimate.estimating,
     "epipolar": epipolar.epipolar,

@@ -1,4 +1,4 @@
-"""What it takes until photographs of a phone, of 12 megapixels, have their verdicts."""
+"""How long photographs of a phone wait for their verdicts, and whether the lab's ± is honest."""
 
 from __future__ import annotations
 
@@ -23,6 +23,30 @@ def looking() -> list[Row]:
         # Drawing them takes more memory than looking at them, so it is done elsewhere.
         _alone("write", folder)
         return [Row(*cells) for cells in json.loads(_alone("measured", folder))]
+
+
+def trusting() -> list[Row]:
+    """Count how often the truth, or another camera, lies within the ± on real photographs."""
+    import numpy as np
+
+    from course_lib import lab
+
+    lengths, shifts, apart = lab.measure_real_pairs(), lab.measure_shifts(), lab.measure_baselines()
+    counted = {
+        f"{len(lengths)} diagonals of a real board: truth within ±": [c.holds for c in lengths],
+        f"{len(shifts)} ways of the board: both cameras agree": [c.ratio < 1 for c in shifts],
+        f"{len(apart)} baselines: board and rig agree": [c.ratio < 1 for c in apart],
+    }
+    rows = [Row(what, 100 * float(np.mean(h)), "%", goal="≥ 90 %") for what, h in counted.items()]
+    ways = [c.one.value for c in shifts]
+    differ = np.median([abs(c.one.value - c.other.value) for c in shifts])
+    joint = np.median([np.hypot(c.one.plus_minus, c.other.plus_minus) for c in shifts])
+    what = f"ways of {min(ways):.0f} to {max(ways):.0f} mm: cameras differ by (median)"
+    return [
+        *rows,
+        Row(what, float(differ), "mm"),
+        Row("their joint ± (median)", float(joint), "mm"),
+    ]
 
 
 def _alone(what: str, folder: str) -> bytes:
