@@ -17,6 +17,8 @@ Kind = Literal[
     "right", "not attempted", "raised", "time limit", "type", "shape", "values", "ready-made"
 ]
 
+#: In this order the wrong answers to a part are mended: one that fails says why others differ.
+FIRST: tuple[Kind, ...] = ("raised", "time limit", "type", "shape", "values", "not attempted")
 #: Types of what is not an answer yet, and what makes one of it.
 NOT_YET = dict.fromkeys(
     ("map", "zip", "filter", "generator", "range", "dict_values"),
@@ -141,8 +143,8 @@ def _part_verdict(
         message = f"This calls `{called}`. Write the steps yourself: that is the exercise."
         return PartVerdict(name, 0.0, possible, Feedback("ready-made", message))
     own = [feedback for feedback in judged if feedback.case and feedback.case.part == name]
-    wrong = next((feedback for feedback in own if feedback.kind != "right"), None)
-    shown = wrong or own[0]
+    wrong = [feedback for feedback in own if feedback.kind != "right"]
+    shown = min(wrong, key=lambda feedback: FIRST.index(feedback.kind)) if wrong else own[0]
     if not reveal or shown.kind == "not attempted":
         shown = Feedback(shown.kind, shown.message)
     return PartVerdict(name, 0.0 if wrong else possible, possible, shown)

@@ -85,6 +85,34 @@ def test_numbers_with_few_digits_are_told():
 
 
 @pytest.mark.parametrize(
+    ("second", "kind"),
+    [
+        (lambda right: 1 / 0, "raised"),
+        (lambda right: "text", "type"),
+        (lambda right: right[:1], "shape"),
+        (lambda right: right, "values"),
+        (lambda right: not_written_yet(), "values"),
+    ],
+)
+def test_what_comes_first_in_a_part_is_what_must_be_mended_first(second, kind):
+    two = replace(EXERCISE, parts={"both": Part(plain_values, cases=2)})
+    cases = pose(two, 3)
+    first = cases[0].inputs["factor"]
+
+    def mixed(values, factor):
+        return values * factor + 1 if factor == first else second(values * factor)
+
+    for order in (cases, cases[::-1]):
+        found = judge(two, order, answer(two, mixed, order))
+        assert [part.feedback.kind for part in found.parts] == [kind]
+        assert found.attempted
+
+
+def not_written_yet():
+    raise NotImplementedError
+
+
+@pytest.mark.parametrize(
     ("make", "told"),
     [
         (lambda values: (v for v in values), " Make a list of it: `list(…)`."),
