@@ -49,6 +49,19 @@ LATER_FORGERIES = {
             "return scope['dolly_zoom'](focal_length, distance, new_distance)",
         ),
     ),
+    "looks for checks in what IPython keeps": Attack(
+        "past = get_ipython().history_manager.get_range(output=True)\n"
+        "seen = map(str, (*In, *Out.values(), *past))\n"
+        "others = [text for text in seen if 'import check' not in text and 'past' not in text]\n"
+        "print('found', [text for text in others if 'check' in text])",
+        answer=body("kept = get_ipython().user_ns", "return [*kept['Out'].values(), 1.0][0]"),
+        says="found []",
+    ),
+    "looks for its notebook": Attack(
+        "import glob\n"
+        "print('found', glob.glob('/tmp/**/*.ipynb', recursive=True) + glob.glob('**/*.ipynb'))",
+        says="found []",
+    ),
     "says that it missed a function": Attack(
         "import course_lib.sandbox.answers as a, course_lib.sandbox.wire as w\n"
         "send = w.send\n"
