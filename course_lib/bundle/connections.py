@@ -8,6 +8,7 @@ from course_lib.bundle.block import Block, Indices, Observations
 from course_lib.bundle.control import Control
 from course_lib.checks import DegenerateConfigurationError
 from course_lib.correspondences import check_spread
+from course_lib.similarity import similarity_transform
 
 
 def connected_parts(observations: Observations, cameras: int) -> Indices:
@@ -76,7 +77,7 @@ def check_block(block: Block, observations: Observations, control: Control | Non
         point behind the camera.
     DegenerateConfigurationError
         If the block falls apart, a point has fewer than two rays, a camera fewer than three points,
-        or control points are too few or on one line.
+        or control points are too few, on one line or mirrored.
     """
     _check_names(block, observations, control)
     _check_rays(block, observations, control)
@@ -146,6 +147,7 @@ def _check_control(block: Block, observations: Observations, control: Control) -
                 "leave control out and orient afterwards"
             )
         check_spread(control.coordinates[mine], 2, "control points")
+    _check_not_mirrored(block, control)
 
 
 def _check_connected(block: Block, observations: Observations) -> None:
@@ -156,3 +158,17 @@ def _check_connected(block: Block, observations: Observations) -> None:
             f"the block falls into {parts.max() + 1} parts without a point in common (cameras "
             f"{names[0]} … and {names[1]} …): add tie points between them, or adjust each alone"
         )
+
+
+def _check_not_mirrored(block: Block, control: Control) -> None:
+    """Raise if control points, those known in all three directions, are a mirror image."""
+    size = np.ptp(control.coordinates, axis=0).max()
+    known = (np.asarray(control.sigma) < 0.1 * size).all(axis=1)
+    if known.sum() < 4:
+        return  # three points may be turned to lie on their mirror image
+    try:
+        similarity_transform(block.points[control.points[known]], control.coordinates[known])
+    except DegenerateConfigurationError as error:
+        raise DegenerateConfigurationError(
+            f"the control points cannot be laid over those of the start: {error}"
+        ) from error

@@ -87,3 +87,14 @@ def test_pictures_from_one_place_leave_depths_open():
     fit = bundle_adjust(one_place, Observations(seen.cameras, seen.points, pixels))
     with pytest.raises(DegenerateConfigurationError, match="parallel, or all from one place"):
         _ = fit.precision
+
+
+def test_mirrored_control_points_are_named():
+    known = flight(np.random.default_rng(3), strips=2, pictures=3, points=60)
+    start = known.roughly(np.random.default_rng(4), 0.002, 0.5)
+    survey = known.surveyed(np.random.default_rng(5), 0.02)
+    assert bundle_adjust(start, known.observations, survey).converged
+    for swapped in (survey.coordinates[:, [1, 0, 2]], survey.coordinates * [1, -1, 1]):
+        control = Control(survey.points, swapped, 0.02)
+        with pytest.raises(DegenerateConfigurationError, match="are a mirror image"):
+            bundle_adjust(start, known.observations, control)
