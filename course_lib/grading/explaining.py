@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import platform
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -10,11 +11,15 @@ from typing import Any
 from course_lib.grading.answering_library import make_library
 from course_lib.grading.isolation import why_not
 from course_lib.grading.servers import Job, Server, ServerGoneError
+from course_lib.sandbox.calls import FORBIDDEN
 from course_lib.sandbox.limits import Allowance
 
 #: What is tried inside, as a submission could: a question, code that leaves `held`, what it means.
 TRIALS = (
     ("the network", "import socket; socket.create_connection(('1.1.1.1', 53), 0.5)", OSError),
+    ("the machine that runs a virtual one", "import socket; socket.socket(40, 1)", OSError),
+    ("the kernel's keys", "import ctypes; assert ctypes.CDLL(None).syscall({keys}, 0, -3, 0) < 0",
+     None),
     ("your files", "open({secret!r}).read()", OSError),
     ("writing to the system", "open('/usr/written', 'w')", OSError),
     ("writing to the course", "open('/course/written', 'w')", OSError),
@@ -90,6 +95,7 @@ def try_out(allowance: Allowance, nests: bool = True) -> list[tuple[str, bool]]:
             "grader": os.getpid(),
             "memory": allowance.memory * 2,
             "files": allowance.files * 2,
+            "keys": FORBIDDEN["keyctl"][platform.machine() == "aarch64"],
             "fork": _FORK.format(processes=allowance.processes),
         }
         steps = [
