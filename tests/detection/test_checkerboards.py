@@ -99,6 +99,22 @@ class TestRendered:
         # The middle of the first of 8 × 8 pixels is 3.5 px from that of them all.
         assert rms((found.points - 3.5) / 8 - view.points) < 0.03
 
+    def test_squares_that_are_too_small_at_first(self):
+        """Made 1000 px long, this picture has squares of 6 px, too small; as it is, of 9."""
+        turn = np.radians(10)
+        A = 9 / 16 * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+        A, shift = A * [1, 0.8], np.array([820.0, 75])
+        board = Checkerboard(9, 6, 30)
+        picture = cv2.warpAffine(
+            drawn(9, 6, 16), np.c_[A, shift], (1500, 300), flags=cv2.INTER_LINEAR, borderValue=150
+        )
+        noise = np.random.default_rng(0).normal(0, 2, picture.shape)
+        noisy = np.clip(cv2.GaussianBlur(picture, (0, 0), 0.7) + noise, 0, 255).astype(np.uint8)
+        found = detect_board(noisy, board)
+        assert found.good
+        corners = board.points()[found.ids, :2] / 30 * 16 + 3 * 16 - 0.5
+        assert rms(found.points - (corners @ A.T + shift)) < 0.1
+
 
 class TestVerdicts:
     def test_blurred(self, rendered):

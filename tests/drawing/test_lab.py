@@ -4,6 +4,7 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 from legible import Legible
+from matplotlib.collections import PolyCollection
 
 mpl.use("Agg")  # as a test has no screen
 
@@ -150,8 +151,19 @@ def test_intervals_that_miss_the_truth_look_different():
     assert markers[2] != markers[0]
 
 
+def test_the_rulers_interval_is_grey_and_the_cameras_an_error_bar():
+    (ax,) = FIGURES["ruler_and_camera"]().axes
+    bands = [band for band in ax.collections if isinstance(band, PolyCollection)]
+    grey = [np.ptp(band.get_paths()[0].vertices[:, 0]) for band in bands]
+    np.testing.assert_allclose(grey, [1.0, 1.0])
+    half = [np.ptp(bars.lines[2][0].get_segments()[0][:, 0]) / 2 for bars in ax.containers]
+    np.testing.assert_allclose(half, [0.9, 0.7])
+
+
 def test_rays_go_from_the_cameras_to_both_ends():
     (ax,) = FIGURES["rays_from_above"]().axes
+    assert sum("386 mm up" in text.get_text() for text in ax.texts) == 2
+    assert "-" not in "".join(text.get_text() for text in ax.texts)
     rays = lines(ax, "ray")
     expected = [np.array([eye, end])[:, :2] for eye in EYES for end in LID]
     np.testing.assert_allclose(rays, expected)
