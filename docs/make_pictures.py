@@ -11,17 +11,19 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 PICTURES = ROOT / "docs" / "pictures"
-sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "browser"), str(ROOT / "tests" / "exercises")]
+sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "browser")]
 
 import lab as jupyter  # noqa: E402
 
 from course_lib.drawing import welcome  # noqa: E402
 from course_lib.exercises import find  # noqa: E402
-from course_lib.exercises.pinhole import misconceptions as wrong  # noqa: E402
-from course_lib.judging import Exercise, answer, judge, pose  # noqa: E402
+from course_lib.exercises.pinhole.misconceptions_perspective import (  # noqa: E402
+    mirrors_what_is_behind,
+)
+from course_lib.judging import Exercise, Verdict, answer, judge, pose  # noqa: E402
 from course_lib.judging.html import to_html  # noqa: E402
 
-EXPLORERS = (("pinhole", "focal_length"), ("lenses", "depth_of_field"), ("sensor", "exposure"))
+EXPLORERS = (("pinhole", "focal_length"), ("lenses", "depth_of_field"))
 
 
 def draw_map() -> None:
@@ -29,14 +31,20 @@ def draw_map() -> None:
     welcome.course_map().savefig(PICTURES / "map.png", dpi=100)
 
 
-def show_verdict(browser: Any) -> None:
-    """Write what a student sees who swapped u and v, and forgot nothing else."""
+def example_verdict() -> Verdict:
+    """Return what a student is told who forgot that nothing behind the camera has an image."""
     exercise = find("pinhole.project_pinhole")
     assert isinstance(exercise, Exercise)
     cases = pose(exercise, 5)
-    verdict = judge(exercise, cases, answer(exercise, wrong.mirrors_what_is_behind, cases))
+    return judge(exercise, cases, answer(exercise, mirrors_what_is_behind, cases))
+
+
+def show_verdict(browser: Any) -> None:
+    """Write how that looks."""
     page = browser.new_page(viewport={"width": 800, "height": 600}, device_scale_factor=2)
-    page.set_content(f"<body style='margin:1rem;background:white'>{to_html(verdict)}</body>")
+    page.set_content(
+        f"<body style='margin:1rem;background:white'>{to_html(example_verdict())}</body>"
+    )
     page.locator(".course-verdict").screenshot(path=PICTURES / "verdict.png")
     page.close()
 

@@ -1,6 +1,7 @@
 """What README and handbook tell people to type is understood, and their links lead somewhere."""
 
 import re
+import runpy
 import shlex
 from pathlib import Path
 
@@ -59,6 +60,20 @@ def heads(text):
     """Return what the headings of a text are called in links."""
     found = re.findall(r"(?m)^#+ (.*)$", re.sub(FENCED, "", text))
     return {re.sub(r"[^\w\- ]", "", head.lower()).replace(" ", "-") for head in found}
+
+
+def test_the_picture_of_a_verdict_shows_what_the_readme_says():
+    made = runpy.run_path(str(ROOT / "docs/make_pictures.py"))
+    verdict = made["example_verdict"]()
+    assert (verdict.points, verdict.possible) == (4, 6)
+    assert [part.points == part.possible for part in verdict.parts] == [True, True, True, False]
+    assert "three parts are right, one is not; a hint asks whether light" in TEXTS["README.md"]
+    assert "light from behind the camera reach the picture" in verdict.hints[0]
+
+
+def test_every_picture_is_shown():
+    shown = set(re.findall(r"\(docs/pictures/([^)]+)\)", TEXTS["README.md"]))
+    assert shown == {path.name for path in (ROOT / "docs/pictures").iterdir()}
 
 
 def test_the_readme_names_every_package():
