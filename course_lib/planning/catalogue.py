@@ -126,6 +126,8 @@ def read_cameras(path: str | Path = HERE / "cameras.tsv") -> dict[str, CameraMod
     ------
     ValueError
         If a column is missing or a value cannot be read; names the line.
+    FileNotFoundError
+        If there is no such table.
     """
     return {c.name: c for c in _rows(path, _camera)}
 
@@ -148,6 +150,8 @@ def read_lenses(path: str | Path = HERE / "lenses.tsv") -> dict[str, LensModel]:
     ------
     ValueError
         If a column is missing or a value cannot be read; names the line.
+    FileNotFoundError
+        If there is no such table.
     """
     return {lens.name: lens for lens in _rows(path, _lens)}
 
@@ -164,6 +168,8 @@ def own_cameras(given: object) -> dict[str, CameraModel]:
     ------
     TypeError, ValueError
         If it is none of these, or the table cannot be read.
+    FileNotFoundError
+        If there is no such table.
     """
     table = read_cameras(given) if isinstance(given, str | Path) else given
     return {c.name: c for c in _all_of(table, CameraModel, "cameras")}
@@ -181,6 +187,8 @@ def own_lenses(given: object) -> dict[str, LensModel]:
     ------
     TypeError, ValueError
         If it is none of these, or the table cannot be read.
+    FileNotFoundError
+        If there is no such table.
     """
     table = read_lenses(given) if isinstance(given, str | Path) else given
     return {lens.name: lens for lens in _all_of(table, LensModel, "lenses")}
@@ -216,13 +224,18 @@ def _lens(row: dict[str, str]) -> LensModel:
 def _rows(path: str | Path, read: Any) -> list[Any]:
     """Return a table's lines, each made into what it describes."""
     found = []
-    with Path(path).open(encoding="utf-8", newline="") as file:
+    if not Path(path).is_file():
+        raise FileNotFoundError(f"there is no table {Path(path).absolute()}: write where yours is")
+    # Excel writes a mark before the first name, which utf-8-sig leaves out.
+    with Path(path).open(encoding="utf-8-sig", newline="") as file:
         for number, row in enumerate(csv.DictReader(file, delimiter="\t"), start=2):
             try:
                 found.append(read(row))
             except KeyError as missing:
-                name = Path(path).name
-                raise ValueError(f"{name} has no column {missing}: see its first line") from missing
+                raise ValueError(
+                    f"{Path(path).name} has no column {missing}: its first line names the columns, "
+                    "with tabs between them"
+                ) from missing
             except (ValueError, TypeError) as wrong:
                 raise ValueError(f"{Path(path).name}, line {number}: {wrong}") from wrong
     return found

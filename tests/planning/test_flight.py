@@ -197,12 +197,21 @@ class TestCatalogue:
         table = tmp_path / "mine.tsv"
         head = "name\tf_mm\tN_least\tN_most\tclosest\timage_circle_mm\tmount\tsource\n"
         table.write_text(head + "Mine\t12\t2\t16\t0.2\t11\tC\tthe box\n", encoding="utf-8")
-        assert read_lenses(table) == {"Mine": LensModel("Mine", 12, 2, 16, 0.2, 11, "C", "the box")}
+        mine = {"Mine": LensModel("Mine", 12, 2, 16, 0.2, 11, "C", "the box")}
+        assert read_lenses(table) == mine
+        table.write_bytes(b"\xef\xbb\xbf" + table.read_bytes())  # as Excel writes it
+        assert read_lenses(table) == mine
+
+    def test_says_where_it_looked_for_a_table(self, tmp_path, monkeypatch):
+        monkeypatch.chdir(tmp_path)
+        for read in (read_lenses, read_cameras):
+            with pytest.raises(FileNotFoundError, match=f"{tmp_path.name}.*mine.tsv: write"):
+                read("mine.tsv")
 
     @pytest.mark.parametrize(
         ("text", "message"),
         [
-            ("name\tf_mm\nMine\t12\n", "mine.tsv has no column 'N_least'"),
+            ("name\tf_mm\nMine\t12\n", "mine.tsv has no column 'N_least': its first line"),
             (
                 "name\tf_mm\tN_least\tN_most\tclosest\timage_circle_mm\tmount\tsource\nMine\ttwelve\t2\t16\t1\t11\tC\tbox\n",
                 "mine.tsv, line 2: could not convert",
