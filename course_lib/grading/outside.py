@@ -138,6 +138,7 @@ class Judge:
 
     def _judge(self, submitted: Submitted, todo: Plan) -> Outcome:
         server = self._server(_hidden(todo), submitted)
+        deadline = time.perf_counter() + self._allowance.total_seconds
         lines = _lines(submitted.notebook)
         verdicts: dict[int, Verdict | None] = {}
         again: list[int] = []
@@ -150,7 +151,6 @@ class Judge:
                 seconds[check.cell] = time.perf_counter() - start
                 again += [number] if asked and asked[1] & _hidden(todo) else []
             reason = conversation.reason
-        deadline = time.perf_counter() + self._allowance.total_seconds
         for number in again:  # something that this exercise may use was hidden
             if time.perf_counter() < deadline:
                 verdicts[todo.checks[number].cell] = self._alone(server, submitted, todo, number)
