@@ -116,6 +116,17 @@ def test_moodle_worksheet_is_filled_in_and_nothing_else_changes(tmp_path):
     ]  # fmt: skip
 
 
+def test_a_grade_that_moodle_has_stays_where_there_is_no_other(tmp_path):
+    roster = written(tmp_path, WORKSHEET.replace("No submission,,", "No submission,7.5,"))
+    header, *_, maximilian = worksheet_table(POINTS, roster, match(roster, POINTS.students))
+    assert maximilian[header.index("Grade")] == "7.5"
+
+
+def test_only_the_assignments_own_column_of_canvas_is_taken(tmp_path):
+    roster = written(tmp_path, CANVAS.replace("01_pinhole (4711)", "01_pinhole Final Points"))
+    assert canvas_table(POINTS, roster, match(roster, POINTS.students))[0][-1] == NAME
+
+
 def test_a_folder_may_be_named_after_moodles_participant(tmp_path):
     roster = written(tmp_path, WORKSHEET)
     assert match(roster, [student("902", "M.", "K.")]).students[2].student == "902"
@@ -145,6 +156,10 @@ def test_who_could_be_two_is_nobody(tmp_path):
     same = [student("x1", "Ida", "Ek"), student("x2", "Ida", "Ek")]
     names = written(tmp_path, "First name,Last name,Email address\nIda,Ek,i@uni.example\n")
     assert match(names, same).students == {}
+    known = written(tmp_path, "First name,Last name,Email address\nIda,Ek,x1@uni.example\n")
+    matched = match(known, same)  # one by the address, so that the name is not the other's either
+    assert matched.students == {0: same[0]}
+    assert matched.missing == (same[1],)
 
 
 @pytest.mark.parametrize(
