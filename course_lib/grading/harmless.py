@@ -59,8 +59,8 @@ MORE_THAN_FORMULAS = re.compile(r"\\(href|style|class|cssId|require|mmlToken)(?!
 #: Letters of a cell that are still turned into HTML to look at; seconds for one cell, and for all.
 MOST_LETTERS, PATIENCE, PATIENCE_IN_ALL = 20_000, 2.0, 20.0
 AS_TYPED = (
-    "*This holds more than words, pictures and formulas (HTML, a link or a command), so it is "
-    "shown as it was typed:*"
+    "*This is more than words, formulas and attached pictures (HTML, or a link or picture from "
+    "elsewhere), or very long, so it is shown as it was typed:*"
 )
 
 
