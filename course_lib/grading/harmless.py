@@ -59,7 +59,7 @@ MORE_THAN_FORMULAS = re.compile(r"\\(href|style|class|cssId|require|mmlToken)(?!
 #: Letters of a cell that are still turned into HTML to look at; seconds for one cell, and for all.
 MOST_LETTERS, PATIENCE, PATIENCE_IN_ALL = 20_000, 2.0, 20.0
 AS_TYPED = (
-    "*This is more than words, formulas and attached pictures (HTML, or a link or picture from "
+    "*This is more than words, formulas and attached pictures (HTML, a command, a picture from "
     "elsewhere), or very long, so it is shown as it was typed:*"
 )
 
