@@ -17,7 +17,7 @@ from course_lib.grading.item_analysis import (
     common_misconceptions,
 )
 from course_lib.grading.report_pictures import answer_bars, score_histogram
-from course_lib.grading.standings import Standings
+from course_lib.grading.standings import UNREAD, Standings
 from course_lib.judging.text import format_points
 from course_lib.page import html_page
 
@@ -89,7 +89,7 @@ def _overview(
         of = format_points(standings.possible)
         said.append(("good", f"Half of the class has {middle} of {of} points or more."))
     if waiting := sum(len(s.waiting) for s in graded):
-        said.append(("note", f"{waiting} answers wait for a person; they count 0 until then."))
+        said.append(("note", f"{waiting} answers wait for a person; {UNREAD}."))
     if troubled := sum(bool(s.trouble) for s in standings.students):
         said.append(("bad", f"{_students(troubled)} handed in what cannot be graded."))
     if unknown := sum(not s.record.get("exercises") for s in graded):

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from course_lib.grading.roster import Matched, Roster, match, read_roster
-from course_lib.grading.standings import Standing, Standings, read_classes
+from course_lib.grading.standings import UNREAD, Standing, Standings, read_classes
 from course_lib.judging.text import format_points
 
 #: Where tables are, in a term's directory.
@@ -116,7 +116,7 @@ def remarks(points: Points) -> list[str]:
             said.append(f"{name}: nothing handed in, so the cell is {value}: {_names(absent)}.")
         if waiting:
             share = f"{len(waiting)} of {len(standings.graded)} students"
-            said.append(f"{name}: {share} have answers that wait for a person; those count 0.")
+            said.append(f"{name}: {share} have answers that wait for a person; {UNREAD}.")
         if late:
             said.append(f"{name}: points were taken off for being late: {_names(late)}.")
     return said

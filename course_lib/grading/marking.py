@@ -109,7 +109,8 @@ def _output(item: Any) -> NotebookNode | None:
         lines = item.get("traceback")
         traceback = [_text(line) for line in lines] if isinstance(lines, list) else []
         name, value = _text(item.get("ename"))[:200], _text(item.get("evalue"))
-        return new_output("error", ename=name, evalue=value, traceback=traceback or [name])
+        shown = traceback or [f"{name}: {value}" if value else name]  # pages show nothing else
+        return new_output("error", ename=name, evalue=value, traceback=shown)
     if kind in ("display_data", "execute_result") and isinstance(item.get("data"), Mapping):
         data = {"text/plain": _text(item["data"].get("text/plain"))}
         picture = _text(item["data"].get("image/png"))

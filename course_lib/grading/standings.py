@@ -14,6 +14,9 @@ from course_lib.grading.gradebooks import open_gradebook
 from course_lib.grading.recording import read_record
 from course_lib.judging import Explain
 
+#: What answers count that wait for a person.
+UNREAD = "until then they count 0, or what they had before they changed"
+
 
 @dataclass(frozen=True)
 class Item:

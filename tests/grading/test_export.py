@@ -205,7 +205,9 @@ def test_what_one_should_know_is_said():
     said = "\n".join(remarks(POINTS))
     assert re.search(r"not graded, so the cell is empty: cut\.", said)
     assert re.search(r"nothing handed in, so the cell is empty: gone\.", said)
-    assert "1 of 4 students have answers that wait for a person" in said
+    assert (
+        "1 of 4 students have answers that wait for a person; until then they count 0, or" in said
+    )
     assert "being late: late, sam" in said
 
 

@@ -56,6 +56,17 @@ def test_a_test_cell_of_the_instructor_keeps_what_it_wrote():
     assert determine_grade(marked(check_cell("assert True"))) == (0, 4)  # not reached
 
 
+def test_an_error_without_traceback_shows_its_sentence_where_pages_look_for_it():
+    late = {
+        "output_type": "error",
+        "ename": "TimeLimitReached",
+        "evalue": "Stopped.",
+        "traceback": [],
+    }
+    cell = marked(new_code_cell("while True: pass"), outputs={0: {"cell": 0, "outputs": [late]}})
+    assert cell.outputs[0].traceback == ["TimeLimitReached: Stopped."]
+
+
 @pytest.mark.parametrize(
     "forged",
     [
