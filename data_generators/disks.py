@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -70,5 +71,5 @@ def disk(diameter: float) -> NDArray[np.float32]:
     for _ in range(12):  # Whole pixels change the variance of the disk: make up for it.
         inside = np.clip(edge + 0.5 - radius, 0, 1)
         inside /= inside.sum()
-        edge = np.sqrt(edge**2 + 2 * (diameter**2 / 16 - inside.sum(axis=0) @ squares))
+        edge = math.sqrt(edge**2 + 2 * (diameter**2 / 16 - float(inside.sum(axis=0) @ squares)))
     return inside.astype(np.float32)

@@ -126,9 +126,9 @@ def fit_corners(
     for radius in np.unique(radii[radii >= LEAST]).tolist():
         mine = np.flatnonzero(radii == radius)
         table[mine] = _fitted(image, corners[mine], int(radius))
-    points, good, blur, contrast, noise, sigma = np.split(table, [2, 3, 4, 5, 6], axis=1)
+    points, score, blur, contrast, noise, sigma = np.split(table, [2, 3, 4, 5, 6], axis=1)
     moved = np.linalg.norm(points - corners, axis=1) > np.maximum(radii, LEAST)
-    good = (good[:, 0] > 0) & ~moved
+    good = (score[:, 0] > 0) & ~moved
     points = np.where(good[:, None], points, corners)
     return CornerFit(points, good, blur[:, 0], contrast[:, 0], noise[:, 0], sigma[:, 0])
 

@@ -122,7 +122,7 @@ def search(u: int, v: int, reach: int) -> Match:
     strip = right[rows, u - reach - count + 1 : u + reach + 1]
     others = np.lib.stride_tricks.sliding_window_view(strip, width, axis=1)  # (w, n, 3, w)
     squares = (others - window.transpose(0, 2, 1)[:, None]) ** 2
-    means = squares.mean(axis=(0, 2, 3))[::-1]
+    means = squares.mean(axis=(0, 2, 3))[::-1].astype(float)
     best = int(np.argmin(means))
     return Match(np.sqrt(means), best + _between(means, best), best)
 

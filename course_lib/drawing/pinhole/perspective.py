@@ -225,10 +225,10 @@ def one_line_runs_away(direction: Sequence[float] = (0.45, 1.0), f: float = 2.0)
     stroke(ax, [start, start + 8 * d], "object")
     for along in (0.0, 1.0, 2.5, 5.0, 8.0):
         point = start + along * d
-        stroke(ax, [(0, 0), point], "ray", lw=1)
+        stroke(ax, np.array([(0, 0), point]), "ray", lw=1)
         ax.plot(*point, "o", color=RED, ms=7)
         ax.plot(f, f * point[1] / point[0], "o", color=GREEN, ms=6)
-    stroke(ax, [(0, 0), 8.3 * d], "guide", lw=1.5, ls=(0, (6, 3)))
+    stroke(ax, np.array([(0, 0), 8.3 * d]), "guide", lw=1.5, ls=(0, (6, 3)))
     end = np.array([f, f * d[1] / d[0]])
     stroke(ax, [(f, -0.9), (f, end[1] + 0.7)], "image", lw=2)
     ax.plot(*end, "*", color=ROLES["second"], ms=16, zorder=5)

@@ -98,7 +98,7 @@ def _strip(ax: Axes, share: float, H: float = 1.0, footprint: float = 1.0) -> No
         ax.plot(x, H, "o", color=ROLES["camera"], ms=5)
         stroke(ax, np.column_stack([ends, np.full(2, -0.2 - 0.13 * level)]), role, lw=4)
     dimension(ax, (centres[0], 1.16), (centres[1], 1.16), "", fontsize=9)
-    write(ax, (centres[:2].mean(), 1.3), "base", "guide", fontsize=10)
+    write(ax, (float(centres[:2].mean()), 1.3), "base", "guide", fontsize=10)
     fit(ax, -1.25, 1.25, -1.1, 1.45)
 
 

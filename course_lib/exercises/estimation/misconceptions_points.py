@@ -120,7 +120,7 @@ def only_one_row(given: Any, shape: tuple[int, int], targets: Any) -> bool:
     """Whether a matrix is what the rows of one coordinate leave: the row of the other, alone."""
     M = np.asarray(given, dtype=float)
     if M.shape != shape or not np.isfinite(M).all():
-        return M.shape == shape  # divided by a last number of zero
+        return bool(M.shape == shape)  # divided by a last number of zero
     lengths = np.sort(np.linalg.norm(normalised(targets)[1] @ M, axis=1))
     return bool(lengths[1] < 1e-6 * lengths[2])
 

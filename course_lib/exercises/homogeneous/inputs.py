@@ -182,4 +182,4 @@ def about_a_unit_axis(rng: Generator) -> Known:
 
 
 def about_a_long_axis(rng: Generator) -> Known:
-    return turn(away_from_zero(rng, 0.3, 1, 3), some_angle(rng), rng.choice([0.5, 1.6]))
+    return turn(away_from_zero(rng, 0.3, 1, 3), some_angle(rng), float(rng.choice([0.5, 1.6])))
