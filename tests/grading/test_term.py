@@ -6,7 +6,9 @@ from pathlib import Path
 
 import nbformat
 import pytest
+from nbgrader.plugins import FileNameCollectorPlugin
 from small_course import write_course
+from traitlets.config import PyFileConfigLoader
 
 from course_lib.exercises import CHAPTERS, all_exercises
 from course_lib.grading.term import make_term, plan_term
@@ -47,6 +49,24 @@ def test_source_has_solutions_rubrics_and_model_answers(term):
         assert f'check("{exercise.name}")' in text or exercise.model_answer in text
     assert "BEGIN SOLUTION" in text
     assert "BEGIN MARK SCHEME" in text
+
+
+@pytest.mark.parametrize(
+    ("file", "student", "name"),
+    [
+        ("Leo Müller_880012_assignsubmission_file_/01_pinhole.ipynb", "880012", "01_pinhole"),
+        ("Leo M_12_b_880013_assignsubmission_file/01_pinhole (1).ipynb", "880013", "01_pinhole"),
+        ("Leo Müller_880014_assignsubmission_file_12_lab.ipynb", "880014", "12_lab"),
+        ("Leo Müller_880014_assignsubmission_file_lab_report.html", "880014", "lab_report"),
+        ("zola_778_91022_01_pinhole.ipynb", "778", "01_pinhole"),
+        ("woolfvirginia_LATE_777_91021_01_pinhole-2.ipynb", "777", "01_pinhole"),
+        ("orr_779_91023_My homework.ipynb", "779", "My homework"),
+    ],
+)
+def test_archives_of_moodle_and_canvas_can_be_collected(term, file, student, name):
+    options = PyFileConfigLoader("nbgrader_config.py", str(term.directory)).load_config()
+    found = FileNameCollectorPlugin(config=options).collect(f"/t_1_2_3/extracted/all 5/{file}")
+    assert (found["student_id"], found["file_id"]) == (student, name)
 
 
 def test_readme_names_this_terms_commands(term):
