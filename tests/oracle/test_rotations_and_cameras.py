@@ -94,6 +94,15 @@ def test_projection_agrees(seed):
     np.testing.assert_allclose(project(points, camera_matrix(K, R, t)), theirs[:, 0], atol=1e-8)
 
 
+def test_many_points_before_a_usual_camera_agree_to_a_billionth_of_a_pixel():
+    K = np.array([[1000.0, 0, 640], [0, 1010, 480], [0, 0, 1]])
+    turn, t = np.array([0.1, 0.2, 0.3]), np.array([0.1, 0.2, 5.0])
+    points = np.random.default_rng(0).uniform(-1, 1, (100_000, 3))
+    theirs, _ = cv2.projectPoints(points, turn, t, K, None)
+    ours = project(points, camera_matrix(K, cv2.Rodrigues(turn)[0], t))
+    np.testing.assert_allclose(ours, theirs[:, 0], rtol=0, atol=1e-9)
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_decomposition_agrees(seed):
     K, R, t = random_camera(np.random.default_rng(seed))
