@@ -17,7 +17,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from nbgrader.api import BaseCell, Gradebook
+from nbgrader.api import BaseCell, Gradebook, MissingEntry
 from nbgrader.preprocessors import AssignLatePenalties
 from nbgrader.utils import parse_utc
 from sqlalchemy import select
@@ -93,8 +93,8 @@ class Recorder:
         """
         final = self._assignment.autograded(student)
         stamp = _timestamp(self._assignment.submitted(student))
-        if stamp == _timestamp(final):
-            return False
+        if stamp == _timestamp(final) or not (stamp or self._has_time(student)):
+            return False  # a time that only stands beside the graded notebook is a receipt's
         with _transaction(self._gradebook):
             submission = self._submission(student)
             self._gradebook.db.flush()
@@ -104,6 +104,14 @@ class Recorder:
         else:
             (final / "timestamp.txt").unlink()
         return True
+
+    def _has_time(self, student: str) -> bool:
+        """Whether the gradebook knows when it was handed in."""
+        try:
+            found = self._gradebook.find_submission(self._assignment.name, student)
+        except MissingEntry:
+            return False
+        return found.timestamp is not None
 
     def _lay_beside(self, graded: Graded) -> Graded:
         """Write the graded notebooks, and what goes with them, beside their place."""

@@ -8,6 +8,7 @@ from nbgrader.api import Gradebook
 from course_lib.grading import recording
 from course_lib.grading.assignment import read_assignment
 from course_lib.grading.one import Graded
+from course_lib.grading.receipts import write_receipts
 from course_lib.grading.recording import Recorder, is_graded
 from course_lib.grading.submissions import fingerprint
 
@@ -136,6 +137,16 @@ def test_handed_in_again_unchanged_it_gets_the_new_time_and_its_penalty(due, mon
         assert not recorder.note_time("right")
     assert time_and_score(due) == ("None", 4.0)
     assert is_graded(due, "right")
+
+
+def test_a_receipt_is_not_taken_for_a_time(assignment):
+    (assignment.submitted("right") / "timestamp.txt").unlink(missing_ok=True)
+    save(assignment, graded(assignment))
+    final = assignment.autograded("right")
+    write_receipts([str(final / f"{ASSIGNMENT}.ipynb")])
+    with recording.recording(assignment) as recorder:
+        assert not recorder.note_time("right")
+    assert (final / "timestamp.txt").exists()
 
 
 def test_a_file_beside_the_notebook_is_a_part_of_it(assignment):
