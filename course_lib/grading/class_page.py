@@ -92,7 +92,7 @@ def _overview(
         said.append(("note", f"{waiting} answers wait for a person; {UNREAD}."))
     if troubled := sum(bool(s.trouble) for s in standings.students):
         said.append(("bad", f"{_students(troubled)} handed in what cannot be graded."))
-    if unknown := sum(not s.record.get("exercises") for s in graded):
+    if unknown := sum(not (s.record.get("exercises") or s.trouble) for s in graded):
         text = f"Of {_students(unknown)} only the points are known: not graded by course grade."
         said.append(("note", text))
     remarks = [_remark(analysis) for analysis in analyses]

@@ -107,13 +107,20 @@ def remarks(points: Points) -> list[str]:
         name = standings.assignment.name
         broken = [s for s in standings.students if s.handed_in and not s.is_graded]
         absent = [s for s in standings.students if not s.handed_in and not s.is_graded]
+        earlier = [s for s in standings.graded if s.trouble]
         waiting = [s for s in standings.graded if s.waiting]
         late = [s for s in standings.graded if s.penalty]
         if broken:
             said.append(f"{name}: not graded, so the cell is empty: {_names(broken)}.")
+        if earlier:
+            said.append(
+                f"{name}: the newest version cannot be graded, so the points are those of an "
+                f"earlier one: {_names(earlier)}."
+            )
         if absent:
             value = "empty" if points.missing is None else format_points(points.missing)
-            said.append(f"{name}: nothing handed in, so the cell is {value}: {_names(absent)}.")
+            who = _names(absent) if len(absent) < len(standings.students) else "everybody"
+            said.append(f"{name}: nothing handed in, so the cell is {value}: {who}.")
         if waiting:
             share = f"{len(waiting)} of {len(standings.graded)} students"
             said.append(f"{name}: {share} have answers that wait for a person; {UNREAD}.")

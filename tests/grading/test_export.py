@@ -2,6 +2,7 @@
 
 import csv
 import re
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -209,6 +210,15 @@ def test_what_one_should_know_is_said():
         "1 of 4 students have answers that wait for a person; until then they count 0, or" in said
     )
     assert "being late: late, sam" in said
+    assert "an earlier one" not in said
+
+
+def test_what_one_should_know_is_said_of_old_points_and_of_a_class_without_any():
+    broken = replace(CLASS.students[0], record={"trouble": "The file is empty."})
+    said = remarks(Points((replace(CLASS, students=(broken, *CLASS.students[1:])),)))
+    assert any(s.endswith("so the points are those of an earlier one: asa.") for s in said)
+    said = remarks(Points((replace(CLASS, students=CLASS.students[-1:]),)))
+    assert said == [f"{NAME}: nothing handed in, so the cell is empty: everybody."]
 
 
 def test_tables_are_read_back_as_they_were(tmp_path):

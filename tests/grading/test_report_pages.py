@@ -76,7 +76,10 @@ def test_what_is_unusual_is_said():
 def test_an_earlier_version_keeps_its_points_and_its_page_says_so():
     record = {"trouble": "The file is empty."}
     late = student("s1", 4.0, 1.0, record=record)
-    assert "those of an earlier version" in text_of(class_page(standings(late), [], 0.0, "now"))
+    text = text_of(class_page(standings(late), [], 0.0, "now"))
+    assert "those of an earlier version" in text
+    assert "only the points are known" not in text
+    assert "only the points" in text_of(class_page(standings(student("s2", 1, 1)), [], 0.0, "now"))
     assert "could not be graded" in text_of(student_page(standings(late), late, {}))
 
 
