@@ -62,7 +62,7 @@ def class_page(standings: Standings, pairs: Sequence[AlikePair], others: float, 
         f"<p class='run'>{escape(when)}. For the instructor: it names students.</p>",
         _overview(standings, analyses, pairs),
         "<h2>Scores</h2>",
-        score_histogram([s.score for s in graded], standings.possible),
+        score_histogram([s.score for s in graded if s.has_points], standings.possible),
         "<h2>Exercises</h2>",
         answer_bars(analyses),
         _item_table(analyses, len(graded)),
@@ -84,15 +84,17 @@ def _overview(
     graded, known = standings.graded, len(standings.students)
     handed_in = sum(s.handed_in for s in standings.students)
     said = [("good", f"{known} students, {handed_in} handed in, {len(graded)} graded.")]
-    if graded:
-        middle = format_points(statistics.median(s.score for s in graded))
+    if scores := [s.score for s in graded if s.has_points]:
+        middle = format_points(statistics.median(scores))
         of = format_points(standings.possible)
         said.append(("good", f"Half of the class has {middle} of {of} points or more."))
     if waiting := sum(len(s.waiting) for s in graded):
         said.append(("note", f"{waiting} answers wait for a person; {UNREAD}."))
     if troubled := sum(bool(s.trouble) for s in standings.students):
         said.append(("bad", f"{_students(troubled)} handed in what cannot be graded."))
-    if unknown := sum(not (s.record.get("exercises") or s.trouble) for s in graded):
+    if all(item.by_hand for item in standings.items):
+        said.append(("note", "All points are given by a person."))
+    elif unknown := sum(not (s.record.get("exercises") or s.trouble) for s in graded):
         text = f"Of {_students(unknown)} only the points are known: not graded by course grade."
         said.append(("note", text))
     remarks = [_remark(analysis) for analysis in analyses]

@@ -106,7 +106,7 @@ def _by_name(student: Standing) -> tuple[str, str, str]:
 def _student_row(student: Standing, standings: Standings) -> str:
     penalty = f"−{format_points(student.penalty)}" if student.penalty else ""
     late = penalty or ("yes" if student.seconds_late > 0 else "")
-    total = format_points(student.score) if student.is_graded else "–"
+    total = format_points(student.score) if student.has_points else "–"
     marks = "".join(_mark(student, item) for item in standings.items)
     return f"<tr><td>{_link(student)}</td>{cells(total, late)}{marks}</tr>"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import csv
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -55,7 +55,7 @@ class Points:
         own = next((s for s in standings.students if s.student == student.student), None)
         if own is None or not (own.handed_in or own.is_graded):
             return self.missing
-        return own.score if own.is_graded else None
+        return own.score if own.has_points else None
 
     def cells(self, student: Standing, standings: Iterable[Standings]) -> list[str]:
         """Return a student's points as they are written."""
@@ -102,31 +102,29 @@ def _for_roster(points: Points, roster: Roster, path: Path, folder: Path) -> int
 
 def remarks(points: Points) -> list[str]:
     """Return what one should know of the points before they go anywhere."""
-    said = []
-    for standings in points.classes:
-        name = standings.assignment.name
-        broken = [s for s in standings.students if s.handed_in and not s.is_graded]
-        absent = [s for s in standings.students if not s.handed_in and not s.is_graded]
-        earlier = [s for s in standings.graded if s.trouble]
-        waiting = [s for s in standings.graded if s.waiting]
-        late = [s for s in standings.graded if s.penalty]
-        if broken:
-            said.append(f"{name}: not graded, so the cell is empty: {_names(broken)}.")
-        if earlier:
-            said.append(
-                f"{name}: the newest version cannot be graded, so the points are those of an "
-                f"earlier one: {_names(earlier)}."
-            )
-        if absent:
-            value = "empty" if points.missing is None else format_points(points.missing)
-            who = _names(absent) if len(absent) < len(standings.students) else "everybody"
-            said.append(f"{name}: nothing handed in, so the cell is {value}: {who}.")
-        if waiting:
-            share = f"{len(waiting)} of {len(standings.graded)} students"
-            said.append(f"{name}: {share} have answers that wait for a person; {UNREAD}.")
-        if late:
-            said.append(f"{name}: points were taken off for being late: {_names(late)}.")
-    return said
+    return [line for standings in points.classes for line in _remarks(standings, points.missing)]
+
+
+def _remarks(standings: Standings, missing: float | None) -> Iterator[str]:
+    name, graded = standings.assignment.name, standings.graded
+    others = [s for s in standings.students if not s.is_graded]
+    waiting = [s for s in graded if s.waiting and s.has_points]
+    old = "the newest version cannot be graded, so the points are those of an earlier one"
+    value = "empty" if missing is None else format_points(missing)
+    for who, said in (
+        ([s for s in others if s.handed_in], "not graded, so the cell is empty"),
+        ([s for s in graded if not s.has_points], "not read yet, so the cell is empty"),
+        ([s for s in graded if s.trouble], old),
+        ([s for s in others if not s.handed_in], f"nothing handed in, so the cell is {value}"),
+    ):
+        if who:
+            names = _names(who) if len(who) < len(standings.students) else "everybody"
+            yield f"{name}: {said}: {names}."
+    if waiting:
+        share = f"{len(waiting)} of {len(graded)} students"
+        yield f"{name}: {share} have answers that wait for a person; {UNREAD}."
+    if late := [s for s in graded if s.penalty]:
+        yield f"{name}: points were taken off for being late: {_names(late)}."
 
 
 def canvas_table(

@@ -100,7 +100,7 @@ def answer_bars(analyses: Sequence[ItemAnalysis]) -> str:
     """
     drawn = [a for a in analyses if sum(a.states.values())]
     if not drawn:
-        return "<p>Nothing was recorded by <code>course grade</code>.</p>"
+        return "<p>No answer in code was recorded by <code>course grade</code>.</p>"
     used = [state for state in STATES if any(a.states[state] for a in drawn)]
     left, row = 210.0, 30.0
     parts = [_legend(used)]

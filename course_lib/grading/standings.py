@@ -56,7 +56,7 @@ class Standing:
     student, first_name, last_name, email, lms_id : str
         As the gradebook names them.
     points : mapping of str to float or None
-        By item; None where nothing was given yet. Empty if nothing was graded.
+        By item; None where a person must give them first. Empty if nothing was graded.
     waiting : tuple of str
         Items at which a person must look.
     penalty : float
@@ -89,8 +89,13 @@ class Standing:
 
     @property
     def is_graded(self) -> bool:
-        """Whether there are points, of this version of the submission or of one before."""
+        """Whether this version of the submission or one before was graded, but for words."""
         return bool(self.points)
+
+    @property
+    def has_points(self) -> bool:
+        """Whether anything has points yet; with words only, that takes a person."""
+        return any(points is not None for points in self.points.values())
 
     @property
     def trouble(self) -> str:
@@ -129,7 +134,7 @@ class Standings:
 
     @property
     def graded(self) -> list[Standing]:
-        """Those who have points."""
+        """Those whose submission was graded; see `Standing.is_graded`."""
         return [student for student in self.students if student.is_graded]
 
 
@@ -216,6 +221,8 @@ def _standing(
     mine = [(item, grades[key]) for item in items if (key := (item.notebook, item.check)) in grades]
     automatic = [grade for item, grade in mine if not item.by_hand]
     done = any(_given(grade) is not None for grade in automatic or [g for _, g in mine])
+    if not automatic:  # words only: they have no points before a person reads them
+        done = done or assignment.autograded(name).is_dir()
     return replace(
         start,
         points={item.name: _given(grade) for item, grade in mine} if done else {},

@@ -36,11 +36,7 @@ def student_page(standings: Standings, student: Standing, cells: Mapping[str, An
         HTML that needs no other file.
     """
     name = standings.assignment.name
-    of = format_points(standings.possible)
-    parts = [
-        f"<h1>{escape(name)}: {escape(student.full_name)}</h1>",
-        f"<p><b>{format_points(student.score)} of {of} points.</b>{_penalty(student)}</p>",
-    ]
+    parts = [f"<h1>{escape(name)}: {escape(student.full_name)}</h1>", _total(standings, student)]
     if student.trouble:
         parts.append(
             "<p>What you handed in last could not be graded; the points are those of an earlier "
@@ -53,10 +49,14 @@ def student_page(standings: Standings, student: Standing, cells: Mapping[str, An
     return html_page(f"{name}: {student.full_name}", parts, style)
 
 
-def _penalty(student: Standing) -> str:
-    if not student.penalty:
-        return ""
-    return f" {format_points(student.penalty)} points were taken off because it came late."
+def _total(standings: Standings, student: Standing) -> str:
+    of = format_points(standings.possible)
+    if not student.has_points:
+        return f"<p><b>Not read yet.</b> There are {of} points.</p>"
+    said = f"<b>{format_points(student.score)} of {of} points.</b>"
+    if student.penalty:
+        said += f" {format_points(student.penalty)} points were taken off because it came late."
+    return f"<p>{said}</p>"
 
 
 def _table(standings: Standings, student: Standing) -> str:

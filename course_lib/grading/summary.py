@@ -95,6 +95,8 @@ class Summary:
         lines = [f"{assignment.name}: {self.graded} graded{before}."]
         if self.points:
             lines += ["", *self._table()]
+        elif self.graded:
+            lines += ["", "Its answers are read by a person: see formgrader, Manual Grading."]
         if self.totals:
             middle, possible = statistics.median(self.totals), sum(self.possible.values())
             of = format_points(possible)

@@ -63,7 +63,7 @@ def write_report(
     Returns
     -------
     Path
-        The file, a page that opens anywhere; if it cannot be written, a sentence says so.
+        The file, a page that opens anywhere; if it is not written, a sentence says why.
 
     Raises
     ------
@@ -71,8 +71,8 @@ def write_report(
         If there is no camera yet.
     """
     path = Path(folder, FILE)
-    if why := _must_stay(path, work):
-        say(f"{FILE} stays as it is: {why}. To write another one, move it away.")
+    if why := _why_not(path, work):
+        say(why)
         return path
     title = "Lab report" if work.own else "Lab report, on the supplied photographs"
     today = datetime.now().astimezone().date()
@@ -107,15 +107,19 @@ def _page(title: str, picture: bytes, said: str, numbers: dict[str, Any]) -> str
     return html_page(title, parts, STYLE)
 
 
-def _must_stay(path: Path, work: Work) -> str:
-    """Return why a report that is there must not be replaced; nothing if there is none."""
-    before = read_report(path)
-    if isinstance(before, str):
-        return ""
+def _why_not(path: Path, work: Work) -> str:
+    """Return why no report is written; nothing if one is."""
     if _bare_shell() is not None:
-        return "it was handed in"
-    if before.get("own") and not work.own:
-        return "it was made with your own photographs, and these are the supplied ones"
+        return (
+            f"No {FILE} is written where a notebook runs without JupyterLab, as when it is graded: "
+            "what was handed in counts."
+        )
+    before = read_report(path)
+    if not isinstance(before, str) and before.get("own") and not work.own:
+        return (
+            f"{FILE} stays as it is: it was made with your own photographs, and these are the "
+            "supplied ones. To write another one, move it away."
+        )
     return ""
 
 

@@ -104,13 +104,16 @@ def test_later_work_replaces_earlier_work(work, results, tmp_path):
     assert read_report(earlier)["own"]
 
 
-def test_what_was_handed_in_stays(path, work, results, monkeypatch, capsys):
+def test_where_it_is_graded_only_what_was_handed_in_counts(
+    path, work, results, monkeypatch, tmp_path, heard
+):
     before = path.read_bytes()
     shell = SimpleNamespace(display_pub=None)
     monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
     write(work, results[:1], path.parent)
     assert path.read_bytes() == before
-    assert "stays as it is: it was handed in" in capsys.readouterr().out
+    assert not write(work, results, tmp_path).exists()
+    assert heard().count("as when it is graded: what was handed in counts.") == 2
 
 
 def taken_on(work, *days):
