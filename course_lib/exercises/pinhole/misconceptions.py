@@ -19,6 +19,10 @@ def height_first(f, sensor_size, image_size):
     return (f * np.array(image_size) / np.array(sensor_size))[::-1]
 
 
+def crosses_the_sizes(f, sensor_size, image_size):
+    return f * np.array(image_size)[::-1] / np.array(sensor_size)
+
+
 def pixels_per_millimetre(f, sensor_size, image_size):
     return np.array(image_size) / np.array(sensor_size)
 

@@ -28,6 +28,10 @@ PIXEL_FOCAL_LENGTH = Exercise(
             "A size is (width, height). Which of the two belongs to the first result, fx?",
         ),
         Misconception(
+            wrong.crosses_the_sizes,
+            "Sizes are (width, height). Do you divide the picture's width by the sensor's width?",
+        ),
+        Misconception(
             wrong.pixels_per_millimetre,
             "This is how many pixels fit into one millimetre. How long is the lens in millimetres?",
         ),
