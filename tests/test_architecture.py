@@ -33,7 +33,7 @@ MATHEMATICS = {
     "triangulation",
 }
 #: Modules of data_generators that write submissions; they stand above the exercises.
-CLASS_MAKERS = {"classes", "everyday_class", "mishaps", "typed_answers"}
+CLASS_MAKERS = {"classes", "everyday_class", "mishaps", "typed_answers", "unusual"}
 #: Which of the project's packages each may import; the mathematics is always allowed.
 MAY_IMPORT = {
     "data_generators": set(),

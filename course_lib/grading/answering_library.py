@@ -24,7 +24,7 @@ LEFT_OUT = {
     "course_lib": ("authoring", "exercises", "grading", "starting", "cli.py", "notebook.py"),
     "data_generators": (
         *("classes.py", "everyday_class.py", "handwriting.py"),
-        *("mishaps.py", "pasting_mishaps.py", "typed_answers.py"),
+        *("mishaps.py", "pasting_mishaps.py", "typed_answers.py", "unusual.py"),
     ),
 }
 PACKAGES = {"course_lib": course_lib, "data_generators": data_generators}

@@ -3,11 +3,13 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import nbformat
+import numpy as np
 import pytest
 from second_solutions import second_solutions
 from small_course import run, write_course
 
-from data_generators.classes import PASTED, simulate_class, write_submissions
+from data_generators.classes import PASTED, Simulation, simulate_class, write_submissions
+from data_generators.unusual import unusual_class
 
 #: The student whose submission was put into place by hand.
 BY_MAIL = "half-done"
@@ -50,6 +52,7 @@ def submissions(released_term):
     """A class, by name."""
     released = nbformat.read(released_term / "release/01_pinhole/01_pinhole.ipynb", as_version=4)
     everybody = simulate_class(released, "pinhole", second_solutions("pinhole"))
+    everybody += unusual_class(Simulation(released, "pinhole"), np.random.default_rng(3))
     return {submission.student: submission for submission in everybody}
 
 

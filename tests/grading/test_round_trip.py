@@ -34,6 +34,9 @@ KINDS = [
         "cut-off",
         "empty-file",
         "renamed",
+        "helpers",
+        "borrower",
+        "slow",
     ),
     *(f"misconception-{k + 1}" for k in range(max(len(e.misconceptions) for e in EXERCISES))),
 ]
