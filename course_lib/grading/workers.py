@@ -7,6 +7,7 @@ again by another. Only when that ends a worker again, it is set aside.
 from __future__ import annotations
 
 import gc
+import os
 import signal
 import sys
 import time
@@ -99,12 +100,19 @@ class _Team:
         self._assignment, self._manner = assignment, manner
         self._waiting, self._tries = deque(students), dict.fromkeys(students, 0)
         self._workers: list[_Worker] = []
+        self._cores: Sequence[int] = ()
 
     def begin(self, number: int) -> None:
-        """Start the workers and give each a submission."""
+        """Start the workers, each on a core of its own if there are several; give them work."""
+        if number > 1 and hasattr(os, "sched_getaffinity"):
+            self._cores = sorted(os.sched_getaffinity(0))
         for k in range(number):
-            self._workers.append(_start(self._assignment, self._manner, k))
+            self._workers.append(self._start(k))
         self._give_out()
+
+    def _start(self, number: int) -> _Worker:
+        core = self._cores[number % len(self._cores)] if self._cores else None
+        return _start(self._assignment, self._manner, number, core)
 
     def is_busy(self) -> bool:
         """Whether anything is being graded."""
@@ -119,7 +127,7 @@ class _Team:
             student, graded = worker.student, _take(worker)
             worker.student = ""
             if graded is None:  # it was killed: go on with a new one
-                self._workers[number] = _start(self._assignment, self._manner, number)
+                self._workers[number] = self._start(number)
                 graded = self._try_again(student)
             self._give_out()
             if graded is not None:
@@ -146,10 +154,10 @@ class _Team:
             _stop(worker)
 
 
-def _start(assignment: Assignment, manner: Manner, number: int) -> _Worker:
+def _start(assignment: Assignment, manner: Manner, number: int, core: int | None) -> _Worker:
     mine, its = _CONTEXT.Pipe()
     process = _CONTEXT.Process(
-        target=_work, args=(its, mine, assignment, manner, number), daemon=True
+        target=_work, args=(its, mine, assignment, manner, number, core), daemon=True
     )
     process.start()
     its.close()
@@ -162,9 +170,12 @@ def _work(
     assignment: Assignment,
     manner: Manner,
     number: int,
+    core: int | None,
 ) -> None:
-    """Grade what comes until nothing more comes."""
+    """Grade what comes until nothing more comes, on one core: busy submissions disturb no other."""
     other_end.close()
+    if core is not None:
+        os.sched_setaffinity(0, {core})
     if sys.platform.startswith("linux"):
         walls.die_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the one who asked

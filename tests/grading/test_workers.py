@@ -1,14 +1,18 @@
-"""Workers share with the grader what was there before they were forked."""
+"""Workers share with the grader what was there before they were forked, and no core."""
 
 import gc
+import os
 import re
 import sys
+import time
 from multiprocessing import get_context
 from pathlib import Path
 
 import pytest
 
+from course_lib.grading import workers
 from course_lib.grading.workers import memory_stays_shared
+from course_lib.sandbox.limits import Allowance
 
 MEMORY = Path("/proc/self/smaps_rollup")
 
@@ -35,3 +39,20 @@ def test_a_forked_process_shares_what_was_there_though_it_collects():
         assert gc.get_freeze_count() > len(pile)
     assert taken < 5
     assert gc.get_freeze_count() == 0
+
+
+@pytest.mark.skipif(not hasattr(os, "sched_getaffinity"), reason="Linux only")
+def test_several_workers_have_a_core_each():
+    cores = sorted(os.sched_getaffinity(0))
+    team = workers._Team(None, workers.Manner("none", Allowance()), [])
+    try:
+        team.begin(2)
+        limit = time.monotonic() + 60
+        for k, worker in enumerate(team._workers):
+            own = {cores[k % len(cores)]}
+            while os.sched_getaffinity(worker.process.pid) != own and time.monotonic() < limit:
+                time.sleep(0.01)
+            assert os.sched_getaffinity(worker.process.pid) == own
+    finally:
+        team.stop()
+    assert sorted(os.sched_getaffinity(0)) == cores
