@@ -11,7 +11,7 @@ from traitlets.config import Config
 
 import course_lib
 from course_lib.camera import project_pinhole as course_project
-from course_lib.notebook import attempt, attempt_each, check, solution
+from course_lib.notebook import _student, attempt, attempt_each, check, solution
 
 POINTS = [[0.0, 0.0, 2.0], [0.5, -0.25, 2.0]]
 
@@ -234,3 +234,16 @@ def test_check_says_when_it_judges_an_older_version(shell, cells, line, capsys):
     assert result.result == 2
     assert ("the version that you ran before" in said) == (line is not None)
     assert line is None or f"line {line} of the cell" in said
+
+
+@pytest.mark.parametrize(
+    ("environment", "name"),
+    [
+        ({"COURSE_STUDENT": "ada", "JUPYTERHUB_USER": "hub"}, "ada"),
+        ({"COURSE_STUDENT": "", "JUPYTERHUB_USER": "hub"}, "hub"),
+        ({}, "login"),
+    ],
+)
+def test_who_works_here_is_told_by_the_environment(environment, name, monkeypatch):
+    monkeypatch.setattr("getpass.getuser", lambda: "login")
+    assert _student(environment) == name
