@@ -105,7 +105,8 @@ def test_after_a_syntax_error_the_check_judges_the_function_as_it_was(pinhole):
     assert "0 of 4 points" in verdict
     assert HINT in verdict
     go_to(pinhole, "def dolly_zoom(")
-    assert "SyntaxError" in pinhole.evaluate(OUTPUT)
+    told = pinhole.evaluate(OUTPUT)  # from Python 3.13 on, an _IncompleteInputError
+    assert "SyntaxError" in told or "incomplete input" in told
 
 
 def test_a_right_answer_earns_all_points(pinhole):

@@ -101,12 +101,15 @@ class TestScatter:
         pair = stereo(0.3, np.random.default_rng(9), pairs=6)
         pixels = in_pair(np.array([[-140.0, 10, 620], [160, -30, 800]])).swapaxes(0, 1)
         length = distance_in_space(*pixels, views_of_pair(pair))
-        steps = 1e-4 * np.array(list(pair.sigma.values()))
-        moved = [
-            distance_in_space(*pixels, views_of_pair(changed(pair, number, step))).value
-            for number, step in enumerate(steps)
-        ]
-        slopes = (np.array(moved) - length.value) / steps
+        steps = 0.01 * np.array(list(pair.sigma.values()))
+        ahead, behind = (
+            [
+                distance_in_space(*pixels, views_of_pair(changed(pair, number, step))).value
+                for number, step in enumerate(sign * steps)
+            ]
+            for sign in (1, -1)
+        )
+        slopes = (np.array(ahead) - behind) / (2 * steps)
         told = np.sqrt(slopes @ pair.covariance @ slopes)
         assert length.parts["camera"] == pytest.approx(told, rel=1e-3)
 

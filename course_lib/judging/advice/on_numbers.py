@@ -180,6 +180,7 @@ ON_NUMBERS: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
     ),
     ("ValueError", "zero-size array to reduction", EMPTY),
     ("ValueError", "empty sequence", EMPTY),
+    ("ValueError", "iterable argument is empty", EMPTY),  # from Python 3.12 on
     ("ValueError", "could not convert string", NO_NUMBER),
     ("ValueError", "invalid literal", NO_NUMBER),
     ("ValueError", "NaN to integer", NOT_FINITE),

@@ -5,7 +5,10 @@ from attacks.attack import Attack, body
 PROCESSES = {
     "ends Python": Attack("import os; os._exit(1)", second=0.0, says="Python stopped before"),
     "crashes": Attack("import ctypes; ctypes.string_at(0)", second=0.0, says="Python stopped"),
-    "recurses": Attack("import sys; sys.setrecursionlimit(10 ** 9)\ndef f(): f()\nf()", second=0.0),
+    # Before Python 3.12 it ends the interpreter; then only the cell.
+    "recurses": Attack(
+        "import sys; sys.setrecursionlimit(10 ** 9)\ndef f(): f()\nf()", second=None
+    ),
     "ends Python in an answer": Attack(answer=body("import os", "os._exit(0)"), says="a crash"),
     "crashes in an answer": Attack(
         answer=body("import ctypes", "ctypes.string_at(0)"), says="a crash"
