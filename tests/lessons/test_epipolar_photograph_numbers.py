@@ -115,7 +115,8 @@ def test_the_poses_from_tie_points_alone(boards):
         assert found[-1].doubt or (off[-1][0] < 0.5 and off[-1][1] < 1)
     assert [view for view in range(13) if found[view].doubt] == [2, 4]
     assert off.pop(4) == (about(7, 0), about(15, 0))
-    assert (np.max(off, axis=0) < (0.435, 0.625)).all()  # where NumPy is newer: 0.37 and 0.42
+    worst = np.max(off, axis=0).tolist()  # with NumPy 2.5 it draws other samples
+    assert worst in ([about(0.43, 2), about(0.62, 2)], [about(0.37, 2), about(0.42, 2)])
     says("Twelve of the thirteen are within 0.43° and 0.62°", "by 7° and 15°")
     F = draw.board_fundamental(boards)
     right = [epi.line_distance(two, epi.epipolar_lines(one, F)) < 1.5 for one, two in pairs]

@@ -1,13 +1,17 @@
 """Harm to processes: its own, others', the grader's; and what is left behind."""
 
+import sys
+
 from attacks.attack import Attack, body
 
+#: Points of the answer that follows recursion without end, which takes all memory: older Pythons
+#: always end, newer ones sometimes end the cell only.
+AFTER_RECURSION = 0.0 if sys.version_info < (3, 12) else None
 PROCESSES = {
     "ends Python": Attack("import os; os._exit(1)", second=0.0, says="Python stopped before"),
     "crashes": Attack("import ctypes; ctypes.string_at(0)", second=0.0, says="Python stopped"),
-    # Before Python 3.12 it ends the interpreter; then only the cell.
     "recurses": Attack(
-        "import sys; sys.setrecursionlimit(10 ** 9)\ndef f(): f()\nf()", second=None
+        "import sys; sys.setrecursionlimit(10 ** 9)\ndef f(): f()\nf()", second=AFTER_RECURSION
     ),
     "ends Python in an answer": Attack(answer=body("import os", "os._exit(0)"), says="a crash"),
     "crashes in an answer": Attack(
