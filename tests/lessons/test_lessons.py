@@ -71,6 +71,12 @@ def graded(lesson: Lesson) -> dict[str, float]:
 GRADED = [path for path in LESSONS if graded(read_lesson(path))]  # else both runs are the same
 
 
+def test_offers_are_pasted_below_the_text_that_makes_them() -> None:
+    text = "Paste this:\n\n```python\nprint(1)\n```\n\nThe beginning is\n\n```python\na = 2\n```"
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_markdown_cell(text)])
+    assert [cell.source for cell in with_offers_taken(notebook).cells] == [text, "print(1)\n"]
+
+
 @pytest.mark.parametrize("path", GRADED, ids=lambda path: path.stem)
 def test_runs_with_its_solutions_and_earns_all_points(path: Path, tmp_path: Path) -> None:
     lesson = read_lesson(path)
