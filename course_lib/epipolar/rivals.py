@@ -187,6 +187,8 @@ def pose_sigma(pairs: Pairs, best: Standing) -> tuple[float, float]:
     errors, slopes = linearised(pose, pairs.problem.x1[:, fits], pairs.problem.x2[:, fits])
     N = slopes @ slopes.T
     N.flat[:: len(N) + 1] += 1e-14 * np.trace(N) + 1e-300
+    if fits.sum() <= len(N):
+        return 180.0, 180.0  # as many pairs as unknowns: no errors are left to judge by
     C = (errors @ errors) / (fits.sum() - len(N)) * np.linalg.inv(N)
     turn, direction = np.sqrt([np.trace(C[:3, :3]), np.trace(C[3:, 3:])])
     return min(float(np.degrees(turn)), 180.0), min(float(np.degrees(direction)), 180.0)

@@ -11,6 +11,8 @@ from course_lib.epipolar import (
     ransac_pose,
     sampson_error,
 )
+from course_lib.homogeneous import from_homogeneous
+from course_lib.transforms import rotation_about_axis
 
 
 def rng(seed=0):
@@ -67,6 +69,18 @@ def test_two_poses_of_a_plane_are_named(seed):
     found = ransac_pose(s.points1, s.points2, K, K, rng(seed))
     assert "another pose fits nearly as well" in found.doubt
     assert "spread over the picture and in depth" in found.doubt
+
+
+def test_five_pairs_tell_nothing_of_their_errors():
+    """One of six is wrong, and the five others determine a pose, whatever their errors are."""
+    points = rng(4).uniform((-2, -2, 4), (2, 2, 9), (6, 3))
+    R, t = rotation_about_axis((0, 1, 0), 0.1), np.array([1, 0.1, 0])
+    one, other = (from_homogeneous(seen @ K.T) for seen in (points, points @ R.T + t))
+    other[5] += (60, 90)
+    found = ransac_pose(one, other, K, K, rng())
+    assert found.fits.sum() == 5
+    assert (found.turn_sigma, found.direction_sigma) == (180, 180)
+    assert "only known to 180.0 degrees" in found.doubt
 
 
 def test_a_pose_is_doubted_whose_tie_points_are_near_together():
