@@ -183,8 +183,6 @@ def pose_sigma(pairs: Pairs, best: Standing) -> tuple[float, float]:
         variances about their axes; at most 180, and 180 if no more pairs fit than a sample has.
     """
     fits, geometry = best.found.fits, best.found.geometry
-    if fits.sum() <= pairs.problem.size:
-        return 180.0, 180.0  # any five pairs are fitted without an error
     pose = PosedPair(best.R, best.t, geometry.left, geometry.right)
     errors, slopes = linearised(pose, pairs.problem.x1[:, fits], pairs.problem.x2[:, fits])
     N = slopes @ slopes.T
