@@ -27,7 +27,7 @@ from course_lib.grading.assignment import Assignment
 from course_lib.grading.gradebooks import open_gradebook
 from course_lib.grading.one import Graded
 from course_lib.grading.parcels import copy_beside, unforeseen
-from course_lib.grading.submissions import fingerprint
+from course_lib.grading.submissions import fingerprint, handed_in_at
 
 NO_RESPONSE = "No response."
 
@@ -92,8 +92,8 @@ class Recorder:
             Whether the time is another now, and with it perhaps the penalty for late work.
         """
         final = self._assignment.autograded(student)
-        stamp = _timestamp(self._assignment.submitted(student))
-        if stamp == _timestamp(final) or not (stamp or self._has_time(student)):
+        stamp = handed_in_at(self._assignment.submitted(student))
+        if stamp == handed_in_at(final) or not (stamp or self._has_time(student)):
             return False  # a time that only stands beside the graded notebook is a receipt's
         with _transaction(self._gradebook):
             submission = self._submission(student)
@@ -139,7 +139,7 @@ class Recorder:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", SAWarning)  # nbgrader's own, and harmless
             submission = self._gradebook.update_or_create_submission(name, student)
-        stamp = _timestamp(self._assignment.submitted(student))
+        stamp = handed_in_at(self._assignment.submitted(student))
         submission.timestamp = parse_utc(stamp) if stamp else None
         return submission
 
@@ -211,20 +211,6 @@ def _transaction(gradebook: Any) -> Iterator[None]:
     session.commit()
 
 
-def _timestamp(folder: Path) -> str:
-    """Return when it was handed in, as nbgrader noted it; nothing if that is no time."""
-    path = folder / "timestamp.txt"
-    if path.is_symlink() or not path.is_file():
-        return ""
-    with path.open(encoding="utf-8", errors="replace") as file:  # of any length
-        text = file.read(100).strip()
-    try:
-        parse_utc(text)
-    except (ValueError, OverflowError, TypeError):
-        return ""
-    return text
-
-
 def _write(path: Path, text: str) -> None:
     """Write a file so that it is there whole, or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -265,4 +251,4 @@ def is_graded(assignment: Assignment, student: str) -> bool:
         return not record.get("trouble") and final.is_dir()
     if record or not final.is_dir():
         return False
-    return _timestamp(folder) == _timestamp(final)  # graded by nbgrader autograde
+    return handed_in_at(folder) == handed_in_at(final)  # graded by nbgrader autograde

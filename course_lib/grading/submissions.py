@@ -14,6 +14,7 @@ from typing import Any
 
 import nbformat
 from nbformat import NotebookNode
+from nbgrader.utils import parse_utc
 
 #: Bytes of a notebook, and of all files beside it, that are still read.
 MOST_NOTEBOOK, MOST_FILES = 30_000_000, 15_000_000
@@ -26,6 +27,8 @@ MOST_BESIDE, MOST_COMPARED = 1000, 100_000_000
 NOT_COPIED = {"__pycache__", ".ipynb_checkpoints"}
 #: What nbgrader puts beside a notebook; it concerns no program.
 RECEIPTS = {"timestamp.txt", "submission_secret.txt"}
+#: Bytes of a time.
+MOST_TIME = 100
 #: Pictures of the text; no program reads them.
 PICTURES = {".png", ".jpg", ".jpeg", ".svg", ".gif"}
 
@@ -223,6 +226,30 @@ def _everything_beside(folder: Path) -> Iterator[Path]:
             path = Path(place, name)
             if path.suffix != ".ipynb" and not path.is_symlink() and path.is_file():
                 yield path
+
+
+def handed_in_at(folder: Path) -> str:
+    """Return when a submission was handed in, as nbgrader noted it.
+
+    Parameters
+    ----------
+    folder : pathlib.Path
+        The submission's.
+
+    Returns
+    -------
+    str
+        Nothing if that is no time, or no ordinary file: students can write it, too.
+    """
+    path = folder / "timestamp.txt"
+    if path.is_symlink() or not path.is_file() or path.stat().st_size > MOST_TIME:
+        return ""
+    try:
+        text = path.read_text(encoding="utf-8").strip()
+        parse_utc(text)
+    except (ValueError, ArithmeticError, TypeError):
+        return ""
+    return text
 
 
 def fingerprint(folder: Path, notebooks: Iterable[str]) -> str:

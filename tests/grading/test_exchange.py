@@ -3,6 +3,7 @@
 import getpass
 import os
 import re
+import shutil
 
 import nbformat
 import pytest
@@ -25,6 +26,7 @@ def student(released_term, tmp_path, monkeypatch):
 def succeed(*command, cwd):
     done = run("nbgrader", *command, ASSIGNMENT, cwd=cwd)
     assert done.returncode == 0, done.stderr
+    return done.stderr
 
 
 def test_there_and_back(released_term, student):
@@ -56,3 +58,25 @@ def test_there_and_back(released_term, student):
     succeed("fetch_feedback", cwd=student)
     (page,) = student.glob(f"{ASSIGNMENT}/feedback/*/{ASSIGNMENT}.html")
     assert "4 of 4 points" in page.read_text(encoding="utf-8")
+
+
+def test_what_has_no_time_or_is_no_folder_stops_nobody(new_term):
+    term = new_term("inbound", [])
+    inbound, released = term / "exchange/camera/inbound", term / "release" / ASSIGNMENT
+    shutil.rmtree(inbound, ignore_errors=True)  # of the other test
+    early, late = (f"+{ASSIGNMENT}+2026-11-0{day} 10:00:00.0 UTC+x" for day in (1, 2))
+    unusable = [f"named-so+{ASSIGNMENT}+{time}+x" for time in ("no time", f"1:{'9' * 40}.5")]
+    for name in ("honest" + early, "timeless" + early, early, *unusable):
+        shutil.copytree(released, inbound / name)
+        (inbound / name / "timestamp.txt").write_text("2026-11-01 10:00:00.0 UTC")
+    (inbound / f"timeless{early}/timestamp.txt").write_text("no time")
+    for name, target in (("to-nowhere", term / "nowhere"), ("to-source", term / "source")):
+        (inbound / (name + early)).symlink_to(target)
+        unusable.append(name + early)
+    said = succeed("collect", cwd=term)
+    assert all(f"Not collected: {inbound / name} (" in said for name in unusable)
+    assert {path.name for path in (term / "submitted").iterdir()} == {"honest", "timeless"}
+    (timed,) = term.glob(f"submitted/*/{ASSIGNMENT}/timestamp.txt")
+    assert "honest" in timed.parts
+    shutil.copytree(inbound / ("honest" + early), inbound / ("honest" + late))
+    assert "Updating submission: honest" in succeed("collect", "--update", cwd=term)

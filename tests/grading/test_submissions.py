@@ -12,6 +12,7 @@ from course_lib.grading.submissions import (
     UnreadableError,
     all_beside,
     demand_size,
+    handed_in_at,
     read_notebook,
 )
 
@@ -73,3 +74,20 @@ def test_no_more_files_are_looked_at_than_are_allowed(tmp_path):
 
 def test_a_name_is_shown_without_what_a_terminal_would_carry_out():
     assert shown("\x1b]0;x\x07\udcff\n ö.ipynb") == "?]0;x??? ö.ipynb"
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"", b"no time", b"1:" + b"9" * 40 + b".5", b"2026-11-01 10:00:00 \xff",
+        b"2026-11-01 10:00:00 /usr/bin/env", b"2026-11-01 10:00:00 UTC" + b" " * 100,
+    ],
+    ids=["nothing", "words", "digits", "no letters", "a file", "long"],
+)  # fmt: skip
+def test_what_is_no_time_counts_as_none(tmp_path, content):
+    assert handed_in_at(tmp_path) == ""
+    stamp = tmp_path / "timestamp.txt"
+    stamp.write_bytes(b"2026-11-01 10:00:00.5 UTC\n")
+    assert handed_in_at(tmp_path) == "2026-11-01 10:00:00.5 UTC"
+    stamp.write_bytes(content)
+    assert handed_in_at(tmp_path) == ""
