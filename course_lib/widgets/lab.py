@@ -53,6 +53,11 @@ class Pointer(Explorer):
         """Where the marks are, shape (2, 2), px of the photograph."""
         return marks(self.state)
 
+    @property
+    def start(self) -> NDArray[np.float64]:
+        """Where the marks were at first, shape (2, 2), px of the photograph."""
+        return marks({name: control.default for name, control in self._controls.items()})
+
     def _move(self, changes: Mapping[str, Any]) -> None:
         before = self.state
         super()._move(changes)
@@ -130,6 +135,37 @@ def pointer(
     elif shot.own:
         say(f"In {shot.name}, nobody has moved the marks yet: drag them to {' and '.join(names)}.")
     return pointer
+
+
+def measured(
+    measure: Callable[..., Measured], *pointers: Pointer
+) -> tuple[Measured, *tuple[NDArray[np.float64], ...]]:
+    """Return a length between marks, and the marks; if they show none, between those at first.
+
+    Parameters
+    ----------
+    measure : callable
+        From the pixels of both marks in each photograph, shape (2, 2), to a length.
+    *pointers : Pointer
+        The marks in each photograph.
+
+    Returns
+    -------
+    tuple of Measured and ndarray
+        The length, and for each photograph the pixels that it comes from, shape (2, 2). If those
+        are not the reader's, a sentence says so.
+    """
+    ends = [pointer.ends for pointer in pointers]
+    try:
+        return measure(*ends), *ends
+    except ValueError as error:
+        say(
+            f"There is no length between these marks ({error}). Are they at two different places, "
+            "and at the same two in each picture? The places at which they began are taken "
+            "instead: do not use what is measured there."
+        )
+    ends = [pointer.start for pointer in pointers]
+    return measure(*ends), *ends
 
 
 def _controls(

@@ -7,7 +7,7 @@ import pytest
 
 from course_lib.drawing.explorers.pointing import CLOSE, MAGNIFIED, REACH, marks
 from course_lib.measuring import Measured
-from course_lib.widgets.lab import pointer
+from course_lib.widgets.lab import measured, pointer
 
 RNG = np.random.default_rng(2)
 PHOTOGRAPH = RNG.integers(0, 256, (600, 800, 3), np.uint8)
@@ -104,6 +104,40 @@ def test_marks_on_one_place_say_why_there_is_no_length(explorer):
     explorer.set(u1=300, v1=310, du1=0, dv1=0, u2=300, v2=310, du2=0, dv2=0)
     last = explorer.frame_now().readouts[-1]
     assert (last.label, last.value) == ("No length", "both points are the same")
+
+
+class TestMeasured:
+    """Marks between which there is a length, and marks between which there is none."""
+
+    def test_a_length_comes_with_its_marks(self, explorer, capsys):
+        explorer.set(u1=700, du1=-3.4)
+        found, ends = measured(length, explorer)
+        np.testing.assert_array_equal(ends, explorer.ends)
+        assert found == length(explorer.ends)
+        assert capsys.readouterr().out == ""
+
+    def test_where_there_is_none_one_is_told_and_the_first_places_are_taken(self, explorer, capsys):
+        explorer.set(u1=300, v1=310, du1=0, dv1=0, u2=300, v2=310, du2=0, dv2=0)
+        found, ends = measured(length, explorer)
+        np.testing.assert_allclose(ends, START)
+        assert found == length(ends)
+        said = " ".join(capsys.readouterr().out.split())
+        assert "no length between these marks (both points are the same: point at two" in said
+        assert "do not use what is measured there" in said
+        np.testing.assert_array_equal(*explorer.ends)  # the marks stay where they are
+
+    def test_of_two_photographs_the_marks_of_both_are_taken(self, explorer, tmp_path):
+        other = pointer(SHOT, ("a", "b"), CORNERS[:2], folder=tmp_path)
+        explorer.set(u1=700)
+        other.set(u1=300, v1=310)
+
+        def in_two(one, two):
+            if one[0, 0] == 700:
+                raise ValueError("the rays are parallel")
+            return length(np.stack([one[0], two[0]]))
+
+        _, *ends = measured(in_two, explorer, other)
+        np.testing.assert_allclose(ends, [START, CORNERS[:2]])
 
 
 def test_a_phones_photograph_has_a_thousand_places_to_a_slider():

@@ -5,6 +5,7 @@ import os
 import re
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import cv2
 import matplotlib as mpl
@@ -141,6 +142,25 @@ def test_the_lid_in_space(cells):
     assert cells["edge"].holds(120)
     assert rays_miss([cells["one"].ends, cells["other"].ends], cells["views"]) < 0.5
     assert cells["edge"].parts["pointing"] > cells["edge"].parts["target"] > 0.1
+
+
+LOST = {
+    "on_plane": {"card": [(600, 450), (600, 450)]},  # both on one place
+    "in_space": {"one": [(100, 300), (300, 300)], "other": [(1000, 300), (1100, 300)]},
+}
+
+
+@pytest.mark.parametrize("how", LOST)
+def test_marks_without_a_length_stop_no_cell(how, cells, capsys):
+    begun = [cells[name].start for name in LOST[how]]
+    ends = [np.array(marks, float) for marks in LOST[how].values()]
+    with pytest.raises(ValueError, match=r"same|behind"):
+        cells[how](*ends)
+    lost = [SimpleNamespace(ends=e, start=s) for e, s in zip(ends, begun, strict=True)]
+    length, *taken = cells["measured"](cells[how], *lost)
+    np.testing.assert_array_equal(taken, begun)
+    assert length == cells[how](*begun)
+    assert "There is no length between these marks" in capsys.readouterr().out
 
 
 def test_at_ten_degrees_the_part_of_the_pointing_is_four_times_as_large(cells):
