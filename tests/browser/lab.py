@@ -174,11 +174,27 @@ RUN_ALL = """async () => {
 
 
 def open_notebook(page: Any, lab: Lab, path: Path) -> None:
-    """Open a notebook of the lab's folder in a page and wait until its kernel is ready."""
+    """Open a notebook of the lab's folder in a page and wait until its kernel is ready.
+
+    A page that does not come is loaded once more, as a person would. Raises RuntimeError with what
+    the page shows, and with the end of the server's log, if it does not come then either.
+    """
+    from playwright.sync_api import TimeoutError as TookTooLong
+
     place = path.relative_to(lab.folder).as_posix()
-    page.goto(f"{lab.url}/lab/tree/{place}?token={lab.token}&reset")
-    page.wait_for_function(SHOWN, timeout=60_000)
-    page.evaluate(READY)
+    for _ in range(2):
+        page.goto(f"{lab.url}/lab/tree/{place}?token={lab.token}&reset")
+        try:
+            page.wait_for_function(SHOWN, timeout=60_000)
+        except TookTooLong:
+            continue
+        page.evaluate(READY)
+        return
+    shown = page.evaluate("document.body.innerText")
+    raise RuntimeError(
+        f"JupyterLab does not show {place}. The page, {page.url}, says:\n{shown[:1000]}\n"
+        f"The server's log ends with:\n{lab.log.read_text()[-3000:]}"
+    )
 
 
 def run_all_cells(page: Any) -> list[str]:
