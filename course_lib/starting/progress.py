@@ -21,8 +21,8 @@ class Stage:
         return f"{self.doing} {self.done} of {self.total}{': ' if self.name else ''}{self.name}"
 
 
-def stage_of(log: str, pinned: int, unpacked: int) -> Stage:
-    """Return how far pip is.
+def stage_of(log: str, pinned: int, unpacked: int) -> Stage | None:
+    """Return how far pip is, once it has told which packages it leaves out.
 
     Parameters
     ----------
@@ -32,6 +32,11 @@ def stage_of(log: str, pinned: int, unpacked: int) -> Stage:
         Number of packages that the lock file pins, for all systems.
     unpacked : int
         Number of packages that this run has put into the environment.
+
+    Returns
+    -------
+    Stage or None
+        None until pip names the first package: then it has read the whole list.
     """
     installing = re.search(r"^Installing collected packages: (.*)$", log, re.MULTILINE)
     if installing:
@@ -41,8 +46,10 @@ def stage_of(log: str, pinned: int, unpacked: int) -> Stage:
     names = re.findall(
         r"^(?:Collecting|Requirement already satisfied:) ([\w.-]+)", log, re.MULTILINE
     )
+    if not names:
+        return None
     total = max(pinned - ignored, 1)
-    return Stage("Getting package", min(len(names), total), total, names[-1] if names else "")
+    return Stage("Getting package", min(len(names), total), total, names[-1])
 
 
 class Line:
@@ -54,8 +61,10 @@ class Line:
         self.last = ""
         self.drawn = 0
 
-    def show(self, stage: Stage) -> None:
+    def show(self, stage: Stage | None) -> None:
         """Draw the stage, unless it says nothing new."""
+        if stage is None:
+            return
         quarter = f"{stage.doing}{4 * stage.done // stage.total}"
         news = str(stage) if self.redraws else quarter
         if news == self.last:

@@ -21,7 +21,6 @@ class Terminal(io.StringIO):
 @pytest.mark.parametrize(
     ("log", "unpacked", "line"),
     [
-        ("", 0, "Getting package 0 of 10"),
         (GETTING, 0, "Getting package 2 of 9: argon2-cffi"),
         (INSTALLING, 0, "Installing package 0 of 2"),
         (INSTALLING, 1, "Installing package 1 of 2"),
@@ -30,6 +29,13 @@ class Terminal(io.StringIO):
 )
 def test_stage_is_read_from_what_pip_prints(log, unpacked, line):
     assert str(stage_of(log, 10, unpacked)) == line
+
+
+@pytest.mark.parametrize("log", ["", GETTING.split("Collecting")[0]])
+def test_no_total_is_told_that_would_fall(log):
+    assert stage_of(log, 10, 0) is None
+    Line(stream := io.StringIO()).show(None)
+    assert stream.getvalue() == ""
 
 
 def test_packages_that_are_there_count_as_got():
