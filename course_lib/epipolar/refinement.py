@@ -6,6 +6,7 @@ Pairs are homogeneous columns, both pictures in one scale (`common_scale`).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple, Protocol, Self, TypeVar
 
 import numpy as np
@@ -120,7 +121,7 @@ class PosedPair:
         shifts = np.tensordot(self._tangents, AXES, 1) @ self.R
         return np.asarray(self.left @ np.concatenate([turns, shifts]) @ self.right)
 
-    @property
+    @cached_property
     def _tangents(self) -> Array:
         """Two directions perpendicular to t and to each other, shape (2, 3)."""
         return np.asarray(np.linalg.svd(self.t[None])[2][1:])

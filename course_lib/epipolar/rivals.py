@@ -13,7 +13,6 @@ import numpy as np
 
 from course_lib.checks import Array, DegenerateConfigurationError
 from course_lib.epipolar.essential import pair_depths, pose_from_essential
-from course_lib.epipolar.lines import sampson_residuals
 from course_lib.epipolar.matrices import essential_from_pose
 from course_lib.epipolar.refinement import PosedPair, linearised, refined_robustly
 from course_lib.epipolar.search import Found, Problem, draw, samples_needed
@@ -85,9 +84,7 @@ def standing(pairs: Pairs, found: Found[PosedPair]) -> Standing:
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         moved = np.linalg.norm(at_infinity[:, :2] / at_infinity[:, 2:] - pairs.near2, axis=1)
     behind = ((Z1 < 0) | (Z2 < 0)) & ~(moved < pairs.far)
-    problem = pairs.problem
-    scaled = sampson_residuals(found.geometry.matrix, problem.x1, problem.x2) / problem.threshold
-    return Standing(found, R, t, np.where(behind, 1.0, np.minimum(scaled * scaled, 1)))
+    return Standing(found, R, t, np.where(behind, 1.0, found.costs))
 
 
 def last_look(pairs: Pairs, best: Found[PosedPair]) -> tuple[Standing, Standing | None]:
@@ -185,11 +182,12 @@ def pose_sigma(pairs: Pairs, best: Standing) -> tuple[float, float]:
     fits, geometry = best.found.fits, best.found.geometry
     pose = PosedPair(best.R, best.t, geometry.left, geometry.right)
     errors, slopes = linearised(pose, pairs.problem.x1[:, fits], pairs.problem.x2[:, fits])
+    left_over = int(fits.sum()) - len(slopes)
+    if left_over <= 0:
+        return 180.0, 180.0  # as many pairs as unknowns: no errors are left to judge by
     N = slopes @ slopes.T
     N.flat[:: len(N) + 1] += 1e-14 * np.trace(N) + 1e-300
-    if fits.sum() <= len(N):
-        return 180.0, 180.0  # as many pairs as unknowns: no errors are left to judge by
-    C = (errors @ errors) / (fits.sum() - len(N)) * np.linalg.inv(N)
+    C = (errors @ errors) / left_over * np.linalg.inv(N)
     turn, direction = np.sqrt([np.trace(C[:3, :3]), np.trace(C[3:, 3:])])
     return min(float(np.degrees(turn)), 180.0), min(float(np.degrees(direction)), 180.0)
 

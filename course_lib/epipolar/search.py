@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Generic
+from typing import Any, Generic
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,8 @@ from course_lib.checks import (
 from course_lib.epipolar.lines import sampson_residuals
 from course_lib.epipolar.refinement import G, refined_robustly
 
+Single = NDArray[np.floating[Any]]
+
 #: How many pairs judge all hypotheses of a batch, and how many of the best all pairs judge.
 FEW, BEST = 100, 8
 #: How many of those are refined.
@@ -35,6 +37,7 @@ HOPEFUL = 1.05
 FIRST_STEPS = 3
 BATCH = 64, 256  # the first one, and those after it
 AGAIN = 100  # those from pairs that fit
+AT_ONCE = 2**17  # errors that are computed at once: more do not fit into a processor's cache
 
 
 def ransac_iterations(confidence: float, size: int, wrong_share: float) -> int:
@@ -99,12 +102,17 @@ def check_confidence(value: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Found(Generic[G]):
-    """A geometry, its loss, and which pairs fit: within the threshold, and within twice that."""
+    """A geometry, what the errors cost, and which pairs fit: within the threshold, or twice it."""
 
     geometry: G
-    loss: float
+    costs: Array
     fits: NDArray[np.bool_]
     near: NDArray[np.bool_]
+
+    @property
+    def loss(self) -> float:
+        """What all errors cost."""
+        return float(self.costs.sum())
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,9 +148,13 @@ class Problem(Generic[G]):
         It is their squares, at most 1 each (MSAC); in single precision, good enough for an order.
         What single precision cannot hold fits nothing.
         """
-        F = F.astype(np.float32)
         x1, x2 = (x[:, which].astype(np.float32) for x in (self.x1, self.x2))
         products = (x2[:, None] * x1[None]).reshape(9, -1)
+        parts = np.array_split(F.astype(np.float32), 1 + len(F) * x1.shape[1] // AT_ONCE)
+        return np.concatenate([self._losses(part, x1, x2, products) for part in parts])
+
+    def _losses(self, F: Single, x1: Single, x2: Single, products: Single) -> Array:
+        """Return what errors cost, for matrices in single precision."""
         e = F.reshape(-1, 9) @ products
         l2 = (F[:, :2].reshape(-1, 3) @ x1).reshape(len(F), 2, -1)
         l1 = (F[:, :, :2].swapaxes(1, 2).reshape(-1, 3) @ x2).reshape(len(F), 2, -1)
@@ -159,10 +171,9 @@ class Problem(Generic[G]):
         return refined_robustly(geometry, self.x1, self.x2, self.threshold, FIRST_STEPS)[0]
 
     def found(self, geometry: G) -> Found[G]:
-        """Return a geometry, its loss, and which pairs fit."""
+        """Return a geometry, what the errors cost, and which pairs fit."""
         scaled = np.abs(sampson_residuals(geometry.matrix, self.x1, self.x2)) / self.threshold
-        loss = float(np.minimum(scaled * scaled, 1).sum())
-        return Found(geometry, loss, scaled <= 1, scaled <= 2)
+        return Found(geometry, np.minimum(scaled * scaled, 1), scaled <= 1, scaled <= 2)
 
 
 def search(problem: Problem[G], confidence: float, most: int, rng: np.random.Generator) -> Found[G]:

@@ -1,5 +1,7 @@
 """Matches of which many are wrong."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from two_views import K, angle_between, scene, turn_between
@@ -109,6 +111,16 @@ def test_without_a_look_for_rivals_the_generator_is_used_as_with_it():
     fits = ransac_pose(s.points1, s.points2, K, K, quick, rivals=False).fits
     assert (fits == ransac_pose(s.points1, s.points2, K, K, used).fits).mean() > 0.97
     assert quick.random() == used.random()
+
+
+def test_a_look_for_rivals_among_many_pairs_takes_little_memory():
+    s = scene(1, count=10_000, wrong=0.7)
+    tracemalloc.start()
+    try:
+        ransac_pose(s.points1, s.points2, K, K, rng())
+        assert tracemalloc.get_traced_memory()[1] < 100e6  # all errors at once: 1.8 GB
+    finally:
+        tracemalloc.stop()
 
 
 def test_sigma_of_a_pose_is_its_scatter():
