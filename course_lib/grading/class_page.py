@@ -11,9 +11,11 @@ from course_lib.grading.alike import AlikePair
 from course_lib.grading.class_people import alike, cells, person, student_table, table
 from course_lib.grading.item_analysis import (
     FEWEST,
+    CommonFailure,
     CommonMisconception,
     ItemAnalysis,
     analyse,
+    common_failures,
     common_misconceptions,
 )
 from course_lib.grading.report_pictures import answer_bars, score_histogram
@@ -54,8 +56,7 @@ def class_page(standings: Standings, pairs: Sequence[AlikePair], others: float, 
     str
         HTML that needs no other file; links lead to the students' pages beside it.
     """
-    analyses, said = analyse(standings), common_misconceptions(standings)
-    graded = standings.graded
+    analyses, graded = analyse(standings), standings.graded
     name = standings.assignment.name
     parts = [
         f"<h1>{escape(name)}: report on the class</h1>",
@@ -67,7 +68,8 @@ def class_page(standings: Standings, pairs: Sequence[AlikePair], others: float, 
         answer_bars(analyses),
         _item_table(analyses, len(graded)),
         "<h2>For the next lecture</h2>",
-        _lecture(said, len(graded)),
+        _misconceptions(common_misconceptions(standings), len(graded)),
+        _failures(common_failures(standings), len(graded)),
         "<h2>What needs a person</h2>",
         person(standings),
         "<h2>Alike, and worth a look</h2>",
@@ -145,7 +147,7 @@ def _item_table(analyses: Sequence[ItemAnalysis], count: int) -> str:
     return table(head, rows) + meaning
 
 
-def _lecture(said: Sequence[CommonMisconception], count: int) -> str:
+def _misconceptions(said: Sequence[CommonMisconception], count: int) -> str:
     if not said:
         return "<p>No known misconception was found.</p>"
     items = "".join(
@@ -162,6 +164,23 @@ def _lecture(said: Sequence[CommonMisconception], count: int) -> str:
     )
     intro = "<p>Misconceptions behind wrong answers, those of most students first.</p>"
     return f"{intro}<ol class='lecture'>{items}</ol>{more}"
+
+
+def _failures(said: Sequence[CommonFailure], count: int) -> str:
+    if not said:
+        return ""
+    items = "".join(
+        f"<li><b>{escape(f.name)}</b> – {format_points(f.points_lost)} points lost by "
+        f"{len(f.students)} of {count} students"
+        f"<q>{', '.join(_points_in(*one) for one in f.lost.items())}</q></li>"
+        for f in said
+    )
+    intro = "<p>Points lost without a known misconception, the most first.</p>"
+    return f"{intro}<ol class='lecture'>{items}</ol>"
+
+
+def _points_in(exercise: str, points: float) -> str:
+    return f"{escape(exercise.rpartition('.')[2])}&nbsp;{format_points(points)}"
 
 
 def _pairs(count: int) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 
 from course_lib.checks import Array
 from course_lib.grading.standings import Item, Standing, Standings
-from course_lib.grading.states import STATES, State, state_of
+from course_lib.grading.states import STATES, State, failure_of, state_of
 
 #: From so many students on, a correlation says anything.
 FEWEST = 10
@@ -143,3 +143,44 @@ def common_misconceptions(standings: Standings) -> list[CommonMisconception]:
                 lost[key] += found["possible"] - found["points"]
     ranked = sorted(who, key=lambda key: (-len(who[key]), -lost[key], key))
     return [CommonMisconception(*k, hints[k], tuple(who[k]), float(lost[k])) for k in ranked]
+
+
+@dataclass(frozen=True)
+class CommonFailure:
+    """How points were lost without a known misconception: what, whose, points by exercise."""
+
+    name: str
+    students: tuple[str, ...]
+    lost: Mapping[str, float]
+
+    @property
+    def points_lost(self) -> float:
+        """Points lost in all exercises."""
+        return sum(self.lost.values())
+
+
+def common_failures(standings: Standings) -> list[CommonFailure]:
+    """Return how points were lost where no misconception was found, e.g. by a forgotten return.
+
+    Parameters
+    ----------
+    standings : Standings
+        Of a class.
+
+    Returns
+    -------
+    list of CommonFailure
+        What cost most points first; its exercises, too.
+    """
+    who: dict[str, list[str]] = {}
+    lost: dict[str, Counter[str]] = {}
+    for student in standings.graded:
+        for exercise, found in student.record.get("exercises", {}).items():
+            if not found.get("misconceptions") and (name := failure_of(found)):
+                who.setdefault(name, []).append(student.student)
+                lost.setdefault(name, Counter())[exercise] += found["possible"] - found["points"]
+    failures = [
+        CommonFailure(name, tuple(dict.fromkeys(who[name])), dict(lost[name].most_common()))
+        for name in who
+    ]
+    return sorted(failures, key=lambda f: (-f.points_lost, f.name))

@@ -42,7 +42,8 @@ class Graded:
     responses : mapping of str to mapping of str to bool
         By notebook and cell: whether there is an answer other than the stub.
     exercises : mapping of str to mapping
-        By exercise: points, possible, kinds of the parts, misconceptions, hints, seconds.
+        By exercise: points, possible, kinds of the parts and what caused them, misconceptions,
+        hints, seconds.
     seconds : float
         What it took.
     notebooks : mapping of str to bytes
@@ -174,6 +175,7 @@ class _Work:
                 "possible": verdict.possible,
                 "attempted": verdict.attempted,
                 "parts": {part.name: part.feedback.kind for part in verdict.parts},
+                "causes": {p.name: p.feedback.cause for p in verdict.parts if p.feedback.cause},
                 "misconceptions": list(verdict.misconceptions),
                 "hints": list(verdict.hints),
                 "seconds": round(outcome.seconds.get(index, 0.0), 3),

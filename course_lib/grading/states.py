@@ -5,11 +5,23 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Literal, get_args
 
+from course_lib.judging.verdict import FIRST
+
 State = Literal["full points", "some points", "no points", "error", "not tried", "not reached"]
 #: From best to worst.
 STATES: tuple[State, ...] = get_args(State)
 #: Kinds of a part's feedback in which the function gave no answer.
 STOPPED = {"raised", "time limit"}
+#: What is said of a part's feedback where no misconception says more.
+FAILURES = {
+    "raised": "stopped with an error",
+    "time limit": "out of time",
+    "type": "an answer of another type",
+    "shape": "an array of another shape",
+    "values": "otherwise wrong",
+    "not attempted": "not answered",
+    "ready-made": "calls the ready-made function",
+}
 
 
 def state_of(found: Mapping[str, Any]) -> State:
@@ -35,3 +47,28 @@ def state_of(found: Mapping[str, Any]) -> State:
     if found["points"] > 0:
         return "some points"
     return "error" if STOPPED & set(found.get("parts", {}).values()) else "no points"
+
+
+def failure_of(found: Mapping[str, Any]) -> str:
+    """Say how an answer lost points, where no misconception explains it.
+
+    Parameters
+    ----------
+    found : mapping
+        What a record holds of one exercise.
+
+    Returns
+    -------
+    str
+        A few words on what is to be mended first; nothing for full points.
+    """
+    if not found.get("reached", True):
+        return "not reached, because Python had ended above"
+    wrong = [(kind, name) for name, kind in found.get("parts", {}).items() if kind != "right"]
+    if not wrong:
+        return ""
+    kind, part = min(wrong, key=lambda one: (*FIRST, "ready-made").index(one[0]))
+    cause = found.get("causes", {}).get(part, "")
+    if cause == "None":
+        return "no value returned"
+    return f"stopped with {cause}" if cause else FAILURES[kind]

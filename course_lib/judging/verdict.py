@@ -40,6 +40,7 @@ class Feedback:
     got: Any = None
     expected: Any = None
     scale_free: bool = False  # a multiple of the expected answer is as good
+    cause: str = ""  # the exception's name; "None" where nothing was returned
 
     @property
     def has_example(self) -> bool:
@@ -146,7 +147,7 @@ def _part_verdict(
     wrong = [feedback for feedback in own if feedback.kind != "right"]
     shown = min(wrong, key=lambda feedback: FIRST.index(feedback.kind)) if wrong else own[0]
     if not reveal or shown.kind == "not attempted":
-        shown = Feedback(shown.kind, shown.message)
+        shown = Feedback(shown.kind, shown.message, cause=shown.cause)
     return PartVerdict(name, 0.0 if wrong else possible, possible, shown)
 
 
@@ -155,7 +156,7 @@ def _judge_case(own: OwnAnswers, index: int, given: Answer, reveal: bool) -> Fee
     if isinstance(case.truth, Raises) and given.status in ("value", "raised"):
         return _judge_refusal(case, given, case.truth, reveal)
     if given.status != "value" or (given.value is None and exercise.none_is_untouched):
-        return Feedback(_KINDS[given.status], _sentence(given, reveal), case)
+        return Feedback(_KINDS[given.status], _sentence(given, reveal), case, cause=given.error)
     if demand := exercise.part(case.part).demand:  # many answers are right: none is expected
         expected, mismatch = None, demand(given.value, case.inputs)
     else:
@@ -166,7 +167,8 @@ def _judge_case(own: OwnAnswers, index: int, given: Answer, reveal: bool) -> Fee
     shown = expected if exercise.shows_expected else None
     free = getattr(exercise.compare, "scale_free", False)
     message = mismatch.message + COARSE * (mismatch.kind == "values" and _is_coarse(given.value))
-    return Feedback(mismatch.kind, message, case, given.value, shown, free)
+    cause = "None" if given.value is None else ""
+    return Feedback(mismatch.kind, message, case, given.value, shown, free, cause)
 
 
 def _is_coarse(value: Any) -> bool:
@@ -183,7 +185,7 @@ def _judge_refusal(case: Case, given: Answer, truth: Raises, reveal: bool) -> Fe
         return Feedback("values", wanted, case, given.value)
     if given.refuses and given.error == truth.error:
         return Feedback("right", "Right.", case)
-    return Feedback("raised", f"{wanted} {_sentence(given, reveal)}", case)
+    return Feedback("raised", f"{wanted} {_sentence(given, reveal)}", case, cause=given.error)
 
 
 _KINDS: dict[str, Kind] = {

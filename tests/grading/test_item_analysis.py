@@ -7,11 +7,12 @@ import pytest
 
 from course_lib.grading.item_analysis import (
     analyse,
+    common_failures,
     common_misconceptions,
     item_rest_correlation,
 )
 from course_lib.grading.standings import Item, Standing, Standings
-from course_lib.grading.states import STATES, state_of
+from course_lib.grading.states import STATES, failure_of, state_of
 
 ITEMS = (
     Item("pinhole.one", "nb", "one-check", "one", 4.0, by_hand=False),
@@ -112,3 +113,54 @@ def test_misconceptions_of_most_students_come_first_then_those_that_cost_most():
         ("sign", ("s00",), 1.0),
     ]
     assert found[0].hint == "axes?"
+
+
+def lost(points, parts, **more):
+    return {"points": points, "possible": 4.0, "attempted": True, "parts": parts, **more}
+
+
+@pytest.mark.parametrize(
+    ("said", "found"),
+    [
+        ("", lost(4.0, {"a": "right", "b": "right"})),
+        ("no value returned", lost(0.0, {"a": "type"}, causes={"a": "None"})),
+        ("an answer of another type", lost(0.0, {"a": "type"})),
+        ("stopped with NameError", lost(0.0, {"a": "raised"}, causes={"a": "NameError"})),
+        ("stopped with an error", lost(0.0, {"a": "raised"})),
+        ("out of time", lost(0.0, {"a": "time limit"})),
+        ("not answered", lost(2.0, {"a": "right", "b": "not attempted"})),
+        ("otherwise wrong", lost(0.0, {"a": "values"})),
+        ("calls the ready-made function", lost(0.0, {"a": "ready-made"})),
+        (
+            "stopped with KeyError",
+            lost(
+                1.0,
+                {"a": "type", "b": "right", "c": "raised", "d": "raised"},
+                causes={"a": "None", "c": "KeyError", "d": "TypeError"},
+            ),
+        ),
+        ("not reached, because Python had ended above", {"points": 0.0, "reached": False}),
+    ],
+)
+def test_a_failure_is_told_by_what_must_be_mended_first(said, found):
+    assert failure_of(found) == said
+
+
+def test_failures_are_those_without_a_misconception_and_cost_most_first():
+    none = lost(2.0, {"a": "type"}, causes={"a": "None"})
+    known = lost(0.0, {"a": "values"}, misconceptions=["axes"], hints=["axes?"])
+    untried = lost(0.0, {"a": "not attempted"}) | {"attempted": False}
+    right = lost(4.0, {"a": "right"})
+    found = common_failures(
+        standings(
+            student(0, 0, 0, **{"pinhole.one": none, "pinhole.two": known}),
+            student(1, 0, 0, **{"pinhole.one": none, "pinhole.two": none | {"points": 1.0}}),
+            student(2, 0, 0, **{"pinhole.one": known, "pinhole.two": untried}),
+            student(3, 0, 0, **{"pinhole.one": right, "pinhole.two": none}),
+        )
+    )
+    assert [(f.name, f.students, f.points_lost) for f in found] == [
+        ("no value returned", ("s00", "s01", "s03"), 9.0),
+        ("not answered", ("s02",), 4.0),
+    ]
+    assert list(found[0].lost.items()) == [("pinhole.two", 5.0), ("pinhole.one", 4.0)]

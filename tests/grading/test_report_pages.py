@@ -61,6 +61,15 @@ def test_a_class_without_students_or_points_has_a_page():
     assert "s1 : not graded yet; run course grade." in text
 
 
+def test_points_that_no_misconception_explains_are_listed_for_the_lecture():
+    lost = {"points": 0.0, "possible": 4.0, "parts": {"all": "type"}, "causes": {"all": "None"}}
+    both = {"exercises": {"pinhole.one": lost | {"points": 3.0}, "pinhole.two": lost}}
+    class_ = standings(*(student(who, 0.0, 0.0, record=both) for who in ("s1", "s2")))
+    text = text_of(class_page(class_, [], 0.0, "now"))
+    assert "No known misconception was found." in text
+    assert "no value returned – 10 points lost by 2 of 2 students two 8, one 2" in text
+
+
 def test_what_is_unusual_is_said():
     strong = [student(f"a{k}", 0.0, 4.0) for k in range(6)]
     weak = [student(f"b{k}", 4.0, 0.0) for k in range(6)]

@@ -293,6 +293,21 @@ def test_kinds_of_feedback(function, kind):
     assert found.points == 0
 
 
+@pytest.mark.parametrize("reveal", [True, False])
+@pytest.mark.parametrize(
+    ("function", "cause"),
+    [
+        (lambda values, factor: 1 / 0, "ZeroDivisionError"),
+        (lambda values, factor: None, "None"),
+        (lambda values, factor: values * factor + 1, ""),
+        (lambda values, factor: values * factor, ""),
+    ],
+)
+def test_what_made_an_answer_wrong_is_kept(function, cause, reveal):
+    found = verdict(function, reveal)
+    assert {part.feedback.cause for part in found.parts} == {cause}
+
+
 def test_grading_seeds_are_not_given_away():
     def wrong(values, factor):
         print("secret", values, factor)
