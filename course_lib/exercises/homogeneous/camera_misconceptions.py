@@ -163,9 +163,19 @@ def one_length_for_all(pixels, K, R, t):
     return -R.T @ t, rays / np.linalg.norm(rays)
 
 
+def length_of_each_column(pixels, K, R, t):
+    rays = _ahead(pixels, K) @ R
+    return -R.T @ t, rays / np.linalg.norm(rays, axis=0)
+
+
 def intrinsics_not_inverted(pixels, K, R, t):
     ones = np.ones_like(pixels[..., :1])
     return -R.T @ t, _unit(np.concatenate([pixels, ones], axis=-1) @ K.T @ R)
+
+
+def intrinsics_inverted_entry_by_entry(pixels, K, R, t):
+    ones = np.ones_like(pixels[..., :1])
+    return -R.T @ t, _unit(np.concatenate([pixels, ones], axis=-1) @ (1 / K).T @ R)
 
 
 def rays_backwards(pixels, K, R, t):

@@ -135,7 +135,8 @@ PIXEL_RAY = Exercise(
         ),
         Misconception(
             wrong.turned_the_other_way,
-            "Follow a ray to a point and project it. Do you come back to the pixel you began with?",
+            "Your rays are turned from the world to the camera, and they must go back. Behind a "
+            "row every matrix stands transposed: what becomes of Rᵀ there?",
         ),
         Misconception(
             wrong.any_length,
@@ -167,12 +168,22 @@ PIXEL_RAY = Exercise(
             "table?",
         ),
         Misconception(
+            wrong.length_of_each_column,
+            "You measured the columns of the table of rays. Along which axis do the three numbers "
+            "of one ray lie?",
+        ),
+        Misconception(
             wrong.centre_of_the_picture_at_zero,
             "The ray of the principal point is the optical axis. Is it, with your function?",
         ),
         Misconception(
             wrong.intrinsics_not_inverted,
             "K turns directions into pixels. Which matrix leads back from pixels to directions?",
+        ),
+        Misconception(
+            wrong.intrinsics_inverted_entry_by_entry,
+            "You invert the nine numbers of K one by one, zeros too. Is a matrix inverted like "
+            "this?",
         ),
         Misconception(
             wrong.rays_backwards,

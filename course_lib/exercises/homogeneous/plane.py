@@ -89,6 +89,12 @@ FROM_HOMOGENEOUS = Exercise(
             wrong.negative_w_refused,
             "Only the ratio counts. Which point is (−6, −8, −2), and what do you make of it?",
         ),
+        Misconception(
+            wrong.rows_for_numbers,
+            "One point comes out right. Of a table with points in rows, what do `[:-1]` and `[-1]` "
+            "pick, or `[:2]` and `[2]`: numbers of each row, or whole rows?",
+            also=[wrong.first_rows_for_numbers],
+        ),
     ],
     forbidden=("cv2.convertPointsFromHomogeneous",),
 )

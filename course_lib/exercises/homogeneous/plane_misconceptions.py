@@ -70,6 +70,14 @@ def negative_w_refused(points):
     return np.where(w > 0, points[..., :-1] / np.where(w == 0, 1, w), np.nan)
 
 
+def rows_for_numbers(points):
+    return points[:-1] / points[-1]
+
+
+def first_rows_for_numbers(points):
+    return points[:2] / points[2]
+
+
 # --- line_through -----------------------------------------------------------------------------
 
 

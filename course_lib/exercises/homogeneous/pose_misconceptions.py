@@ -50,6 +50,10 @@ def R_times_t_entry_by_entry(R, t):
     return R.T, -R.T * t
 
 
+def R_inverted_entry_by_entry(R, t):
+    return 1 / R, -(1 / R) @ t
+
+
 # --- camera_centre ----------------------------------------------------------------------------
 
 
@@ -71,6 +75,14 @@ def in_front_for_behind(R, t):
 
 def centre_entry_by_entry(R, t):
     return -R.T * t
+
+
+def rotation_of_the_way_back(R, t):
+    return R.T
+
+
+def whole_way_back(R, t):
+    return inverse_of(R, t)
 
 
 # --- pose_from_placement ----------------------------------------------------------------------
@@ -100,6 +112,10 @@ def t_entry_by_entry(R_camera, centre):
     return R_camera.T, -R_camera.T * centre
 
 
+def matrix_of_the_pose(R_camera, centre):
+    return matrix_of(*inverse_of(R_camera, centre))
+
+
 # --- cv_from_graphics_camera ------------------------------------------------------------------
 
 
@@ -110,6 +126,19 @@ def axes_left_as_they_are(world_from_camera):
 def only_z_turned_round(world_from_camera):
     R_camera = world_from_camera[:3, :3] @ np.diag([1, 1, -1])
     return inverse_of(R_camera, world_from_camera[:3, 3])
+
+
+def only_y_turned_round(world_from_camera):
+    R_camera = world_from_camera[:3, :3] @ np.diag([1, -1, 1])
+    return inverse_of(R_camera, world_from_camera[:3, 3])
+
+
+def all_axes_turned_round(world_from_camera):
+    return inverse_of(-world_from_camera[:3, :3], world_from_camera[:3, 3])
+
+
+def y_and_z_exchanged(world_from_camera):
+    return inverse_of(world_from_camera[:3, [0, 2, 1]], world_from_camera[:3, 3])
 
 
 def turned_about_y(world_from_camera):
@@ -144,3 +173,8 @@ def last_row_for_the_centre(world_from_camera):
 def graphics_t_entry_by_entry(world_from_camera):
     R = (world_from_camera[:3, :3] @ np.diag([1, -1, -1])).T
     return R, -R * world_from_camera[:3, 3]
+
+
+def matrix_of_the_graphics_pose(world_from_camera):
+    R_camera = world_from_camera[:3, :3] @ np.diag([1, -1, -1])
+    return matrix_of(*inverse_of(R_camera, world_from_camera[:3, 3]))

@@ -46,6 +46,11 @@ INVERT_POSE = Exercise(
             "Your t is a table of nine numbers. Which of Python's two products multiplies a "
             "matrix and a vector?",
         ),
+        Misconception(
+            wrong.R_inverted_entry_by_entry,
+            "You invert the nine numbers of R one by one. Multiply the result by R: is it the "
+            "identity?",
+        ),
     ],
 )
 
@@ -77,6 +82,12 @@ CAMERA_CENTRE = Exercise(
             wrong.centre_entry_by_entry,
             "You get nine numbers for one place. Which of Python's two products multiplies a "
             "matrix and a vector?",
+        ),
+        Misconception(
+            wrong.rotation_of_the_way_back,
+            "The way back is a turn and a shift. What do they make of the camera's origin, and "
+            "which of the two is that?",
+            also=[wrong.whole_way_back],
         ),
     ],
 )
@@ -117,6 +128,10 @@ POSE_FROM_PLACEMENT = Exercise(
             "Your t is a table of nine numbers. Which of Python's two products multiplies a "
             "matrix and a vector?",
         ),
+        Misconception(
+            wrong.matrix_of_the_pose,
+            "You return the pose as one 4 × 4 matrix. Which two parts of it were asked for?",
+        ),
     ],
 )
 
@@ -138,6 +153,11 @@ CV_FROM_GRAPHICS_CAMERA = Exercise(
         Misconception(
             wrong.only_z_turned_round,
             "Which sign has the determinant of your R? Can you hold a camera like that?",
+            also=[
+                wrong.only_y_turned_round,
+                wrong.all_axes_turned_round,
+                wrong.y_and_z_exchanged,
+            ],
         ),
         Misconception(
             wrong.turned_about_y,
@@ -168,6 +188,10 @@ CV_FROM_GRAPHICS_CAMERA = Exercise(
             wrong.graphics_t_entry_by_entry,
             "Your R is right, your t a table of nine numbers. Which of Python's two products "
             "multiplies a matrix and a vector?",
+        ),
+        Misconception(
+            wrong.matrix_of_the_graphics_pose,
+            "You return the pose as one 4 × 4 matrix. Which two parts of it were asked for?",
         ),
     ],
 )

@@ -66,6 +66,16 @@ def axis_not_unit_in_three_terms(axis, angle):
     return _three_terms(axis, angle, np.outer(axis, axis))
 
 
+def axis_not_unit_in_the_skew_matrix(axis, angle):
+    n, c = axis / np.linalg.norm(axis), np.cos(angle)
+    return c * np.eye(3) + (1 - c) * np.outer(n, n) + np.sin(angle) * _cross(axis)
+
+
+def axis_not_unit_in_the_outer_product(axis, angle):
+    n = axis / np.linalg.norm(axis)
+    return _three_terms(n, angle, np.outer(axis, axis))
+
+
 def axis_divided_by_its_square(axis, angle):
     n = axis / (axis @ axis)
     return _three_terms(n, angle, np.outer(n, n))

@@ -21,7 +21,12 @@ ROTATION_ABOUT_AXIS = Exercise(
         Misconception(
             wrong.axis_not_unit,
             "The formula wants an axis of length 1. How long is the one that you put into it?",
-            also=[wrong.axis_not_unit_in_three_terms, wrong.axis_divided_by_its_square],
+            also=[
+                wrong.axis_not_unit_in_three_terms,
+                wrong.axis_not_unit_in_the_skew_matrix,
+                wrong.axis_not_unit_in_the_outer_product,
+                wrong.axis_divided_by_its_square,
+            ],
         ),
         Misconception(
             wrong.angle_taken_for_degrees,
