@@ -23,6 +23,12 @@ def test_caret_is_no_power(f):
     assert "`f**2`" in said(lambda f: f ^ 2, f)
 
 
+@pytest.mark.parametrize("a", [np.eye(3), [1.0, 2.0]])
+def test_bar_puts_nothing_side_by_side(a):
+    assert "np.column_stack" in said(lambda a, b: a | b, a, np.ones(3))
+    assert "np.column_stack" in said(lambda a, b: a | b, a, [1.0, 2.0, 3.0])
+
+
 @pytest.mark.parametrize("f", [24.0, 24, np.float64(24), np.array([24.0])])
 def test_bracket_after_a_number_lacks_a_star(f):
     assert "`*` missing" in said(lambda f: f(1 + 1 / 2), f)

@@ -5,6 +5,10 @@ from __future__ import annotations
 import re
 
 POWER = "In Python `^` is no power: write `f**2`."
+BESIDE = (
+    "In Python `|` puts nothing side by side: `np.column_stack([a, b])` does. Between conditions "
+    "each needs its bracket: `(a < 0) | (b < 0)`."
+)
 ROWS = "The rows of a matrix come as one list, with brackets of its own: `np.array([[…], […]])`."
 NONE = "Something here is None. Has a search found nothing, or does a function lack its `return`?"
 HYPOT = "`np.hypot` takes the two sides one by one: `np.hypot(a, b)`, or `np.hypot(*sides)`."
@@ -25,6 +29,8 @@ SHAPE = "The sizes of an array come as one, with brackets of their own: `np.zero
 ON_CODE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
     ("TypeError", "for ^", POWER),
     ("TypeError", "'bitwise_xor'", POWER),
+    ("TypeError", "for |", BESIDE),
+    ("TypeError", "'bitwise_or'", BESIDE),
     ("TypeError", "NoneType", NONE),
     ("AttributeError", "NoneType", NONE),
     (
