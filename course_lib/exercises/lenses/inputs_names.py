@@ -69,13 +69,35 @@ def capital_letter(rng: Generator) -> Known:
     return one_focal_length(rng, "{maker} {f}mm F{N}{end}")
 
 
+def small_letter(rng: Generator) -> Known:
+    return one_focal_length(rng, "{maker} {f}mm f{N}{end}")
+
+
 def space_before_mm(rng: Generator) -> Known:
     return one_focal_length(rng, "{maker} {f} mm f/{N}{end}")
 
 
-def no_lens_name(rng: Generator) -> Known:
-    """Write a name that lacks the focal length or the f-number."""
-    lens = prime(rng).inputs["name"]
-    focal, rest = lens.split("mm", 1)
-    lacking = (focal + "mm", focal.rpartition(" ")[0] + rest, "a box for " + focal + " lenses")
-    return Known({"name": str(rng.choice(lacking))}, Raises("ValueError"))
+def parts_of_a_name(rng: Generator) -> tuple[str, str, str]:
+    """Return what stands before a focal length, the focal length, and what stands behind it."""
+    before, _, behind = prime(rng).inputs["name"].partition("mm")
+    maker, _, focal = before.rpartition(" ")
+    return maker, focal, behind
+
+
+def refused(name: str) -> Known:
+    return Known({"name": name}, Raises("ValueError"))
+
+
+def no_focal_length(rng: Generator) -> Known:
+    maker, _, behind = parts_of_a_name(rng)
+    return refused(maker + behind)
+
+
+def no_f_number(rng: Generator) -> Known:
+    maker, focal, _ = parts_of_a_name(rng)
+    return refused(f"{maker} {focal}mm")
+
+
+def neither(rng: Generator) -> Known:
+    maker, focal, _ = parts_of_a_name(rng)
+    return refused(f"a box for {maker} {focal} lenses")

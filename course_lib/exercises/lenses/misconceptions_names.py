@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import Any
+
+from course_lib.judging.comparison import Mismatch
 
 #: Patterns for the focal length (right, and without the space before mm) and for the f-number;
 #: group 2 is missing for a single one.
@@ -131,6 +134,10 @@ def millimetres_behind_the_f_number(name):
     return pairs_of(focal, stop, 3, 2, 4)
 
 
+def millimetres_behind_the_f_number_and_a_check(name):
+    return pairs_of(*search_both(name, COUNTED_STOPS + r"\s*mm"), 3, 2, 4)
+
+
 def no_capital_letter(name):
     return pairs_of(*search_both(name, r"(f/|f|1:)([\d.]+)(-([\d.]+))?"), 3, 2, 4)
 
@@ -143,6 +150,10 @@ def no_capital_letter_and_no_check(name):
     return read(name, stops=r"(?:f/?|1:)([\d.]+)(?:-([\d.]+))?")
 
 
+def no_small_letter(name):
+    return pairs_of(*search_both(name, r"(f/|F|1:)([\d.]+)(-([\d.]+))?"), 3, 2, 4)
+
+
 def any_number(name):
     return pairs_of(*search_both(name, r"()([\d.]+)(-([\d.]+))?"), 3, 2, 4)
 
@@ -153,9 +164,77 @@ def no_capital_letter_and_half_a_check(name):
     return read(name, stops=r"(?:f/?|1:)([\d.]+)(?:-([\d.]+))?")
 
 
-def second_number_taken_for_granted(name):
-    focal, stop = search_both(name)
+def two_numbers_each(focal: Any, stop: Any) -> Any:
     return {
         "focal_length": (float(focal[1]), float(focal[3])),
         "f_number": (float(stop[2]), float(stop[4])),
     }
+
+
+def second_number_taken_for_granted(name):
+    return two_numbers_each(*search_both(name))
+
+
+def second_number_taken_for_granted_and_no_check(name):
+    return two_numbers_each(re.search(COUNTED_FOCAL, name), re.search(COUNTED_STOPS, name))
+
+
+def none_for_the_second_number(name):
+    first, second = search_both(name)
+    return {
+        "focal_length": (float(first[1]), first[3] and float(first[3])),
+        "f_number": (float(second[2]), second[4] and float(second[4])),
+    }
+
+
+def signs_without_their_bracket(name):
+    return pairs_of(*search_both(name, r"f/|F|f|1:([\d.]+)(-([\d.]+))?"), 3, 1, 3)
+
+
+def number_without_its_bracket(name):
+    return pairs_of(*search_both(name, r"(f/|F|f|1:)[\d.]+(-([\d.]+))?"), 3, 2, 3)
+
+
+# --- names that tell nothing ------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class BothTexts:
+    """Two texts instead of a refusal: everyone writes other words."""
+
+    def __call__(self, got: Any, expected: Any) -> Mismatch | None:
+        """Return None where both are texts."""
+        texts = isinstance(got, str) and isinstance(expected, str)
+        return None if texts else Mismatch("type", "This is no text.")
+
+
+def f_number_taken_for_granted(name):
+    if re.search(FOCAL, name) is None:
+        raise ValueError(name)
+    return read(name)
+
+
+def focal_length_taken_for_granted(name):
+    if re.search(STOPS, name) is None:
+        raise ValueError(name)
+    return read(name)
+
+
+def refuses_what_lacks_both(name):
+    if re.search(FOCAL, name) is None and re.search(STOPS, name) is None:
+        raise ValueError(name)
+    return read(name)
+
+
+def returns_the_error(name):
+    try:
+        return read(name)
+    except TypeError:
+        return ValueError(name)
+
+
+def returns_a_text(name):
+    try:
+        return read(name)
+    except TypeError:
+        return "no focal length"

@@ -17,9 +17,12 @@ PARSE_LENS_NAME = Exercise(
         "a zoom with one f-number": Part(inputs.zoom_of_one_aperture, cases=2, weight=0.5),
         "an f-number written as a ratio": Part(inputs.ratio_notation, cases=2),
         "an f-number after a capital letter": Part(inputs.capital_letter, cases=2, weight=0.5),
+        "an f-number after a small letter": Part(inputs.small_letter, cases=2, weight=0.5),
         "a focal length with a point": Part(inputs.with_a_point, cases=2, weight=0.5),
         "a space before mm": Part(inputs.space_before_mm, cases=2, weight=0.5),
-        "a name that lacks one of the two": inputs.no_lens_name,
+        "a name without a focal length": Part(inputs.no_focal_length, cases=2, weight=0.4),
+        "a name without an f-number": Part(inputs.no_f_number, cases=2, weight=0.4),
+        "a name that lacks both": Part(inputs.neither, cases=1, weight=0.2),
     },
     misconceptions=[
         Misconception(
@@ -40,6 +43,7 @@ PARSE_LENS_NAME = Exercise(
                 wrong.no_capital_letter,
                 wrong.no_capital_letter_and_no_check,
                 wrong.no_capital_letter_and_half_a_check,
+                wrong.no_small_letter,
             ],
         ),
         Misconception(
@@ -57,7 +61,11 @@ PARSE_LENS_NAME = Exercise(
             wrong.sign_for_a_number,
             "No f-number is read. Which part of its match is the sign, such as f/, and which the "
             "number? And does mm still end its pattern?",
-            also=[wrong.sign_for_a_number_and_no_check, wrong.millimetres_behind_the_f_number],
+            also=[
+                wrong.sign_for_a_number_and_no_check,
+                wrong.millimetres_behind_the_f_number,
+                wrong.millimetres_behind_the_f_number_and_a_check,
+            ],
         ),
         Misconception(
             wrong.texts_for_numbers,
@@ -71,7 +79,28 @@ PARSE_LENS_NAME = Exercise(
             wrong.every_lens_a_zoom,
             "A prime lens has one focal length only. What is the pair then, and does your pattern "
             "find it?",
-            also=[wrong.second_number_taken_for_granted],
+            also=[
+                wrong.second_number_taken_for_granted,
+                wrong.second_number_taken_for_granted_and_no_check,
+                wrong.none_for_the_second_number,
+            ],
+        ),
+        Misconception(
+            wrong.signs_without_their_bracket,
+            "A bar `|` parts the whole pattern, if no bracket ends what it parts. Is there one "
+            "around the four signs?",
+        ),
+        Misconception(
+            wrong.number_without_its_bracket,
+            "Print the parts of the match, `[1]`, `[2]` and so on. Has the first number a bracket "
+            "of its own that remembers it?",
+        ),
+        Misconception(
+            wrong.returns_the_error,
+            "You hand the refusal back like an answer, and the program would go on with it. Which "
+            "word stops it?",
+            also=[wrong.returns_a_text],
+            compare=wrong.BothTexts(),
         ),
         Misconception(
             wrong.digits_after_the_point,
@@ -91,7 +120,12 @@ PARSE_LENS_NAME = Exercise(
         Misconception(
             wrong.search_may_find_nothing,
             "What does `re.search` give when it finds nothing, and what should the function do "
-            "then?",
+            "then? You search twice: either can find nothing.",
+            also=[
+                wrong.f_number_taken_for_granted,
+                wrong.focal_length_taken_for_granted,
+                wrong.refuses_what_lacks_both,
+            ],
         ),
     ],
 )

@@ -84,7 +84,7 @@ def parse_lens_name(name):
     """Split at the unit, then look for what stands before it and behind the sign of the stop."""
     before, after = name.split("mm", 1)  # a ValueError if there is no unit
     focal = [float(text) for text in before.split()[-1].split("-")]
-    stop = re.findall(r"(?:f/|F|1:)([0-9.]+)(-[0-9.]+)?", after)
+    stop = re.findall(r"(?:[fF]/?|1:)([0-9.]+)(-[0-9.]+)?", after)
     if not stop:
         raise ValueError(name)
     stops = [float(text) for text in "".join(stop[0]).split("-")]
