@@ -164,10 +164,11 @@ def _check_not_mirrored(block: Block, control: Control) -> None:
     """Raise if control points, those known in all three directions, are a mirror image."""
     size = np.ptp(control.coordinates, axis=0).max()
     known = (np.asarray(control.sigma) < 0.1 * size).all(axis=1)
-    if known.sum() < 4:
-        return  # three points may be turned to lie on their mirror image
+    places = control.coordinates[known]
+    if len(places) < 4 or np.linalg.matrix_rank(places - places.mean(axis=0), 1e-6 * size) < 3:
+        return  # points of a plane, or of a line, may be turned to lie on their mirror image
     try:
-        similarity_transform(block.points[control.points[known]], control.coordinates[known])
+        similarity_transform(block.points[control.points[known]], places)
     except DegenerateConfigurationError as error:
         raise DegenerateConfigurationError(
             f"the control points cannot be laid over those of the start: {error}"

@@ -98,3 +98,14 @@ def test_mirrored_control_points_are_named():
         control = Control(survey.points, swapped, 0.02)
         with pytest.raises(DegenerateConfigurationError, match="are a mirror image"):
             bundle_adjust(start, known.observations, control)
+
+
+def test_control_points_along_a_road_and_heights_beside_it_will_do():
+    known = flight(np.random.default_rng(3), strips=2, pictures=3, points=60)
+    points = np.array(known.truth.points)
+    points[:4] = points.mean(axis=0) + np.outer([-20, -5, 5, 20], [1, 0.1, 0])
+    truth, seen = known.truth.moved_to(points), known.observations
+    exact = replace(seen, pixels=truth.project(seen.cameras, seen.points))
+    sigma = np.repeat([[0.02] * 3, [1e4, 1e4, 0.02]], 4, axis=0)
+    control = Control(np.arange(8), points[:8], sigma)
+    assert bundle_adjust(truth, exact, control).converged
