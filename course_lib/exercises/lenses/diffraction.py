@@ -52,6 +52,10 @@ AIRY_DIAMETER = Exercise(
             "A fixed wavelength, and not in mm. Where does the wavelength come from in this "
             "function?",
         ),
+        Misconception(
+            slips.airy_with_a_comma,
+            "Two values: a comma parts them in Python. Which sign do its decimals have?",
+        ),
     ],
 )
 

@@ -48,6 +48,11 @@ IMAGE_DISTANCE = Exercise(
             "bar, and do brackets hold it?",
             also=[slips.image_powers_bracket_lost, slips.image_sum_bracket_lost],
         ),
+        Misconception(
+            slips.image_turned_over_term_by_term,
+            "You turned each fraction over by itself. Try it with 1/2 - 1/4: what is one divided "
+            "by it, and what gives your way?",
+        ),
     ],
 )
 
@@ -174,7 +179,7 @@ LENS_SYSTEM = Exercise(
         Misconception(
             slips.planes_turned,
             "Right distance, wrong side of the lens. What comes first in the fraction of the "
-            "text: the 1, or the entry of the matrix?",
+            "text: the 1, or the entry of the matrix? And has your C its minus?",
             also=[slips.front_plane_turned, slips.back_plane_turned],
         ),
         Misconception(

@@ -23,6 +23,10 @@ def image_sum_bracket_lost(f, Z):
     return 1 / f - Z
 
 
+def image_turned_over_term_by_term(f, Z):
+    return f - Z
+
+
 # --- object_distance --------------------------------------------------------------------------
 
 
@@ -85,6 +89,16 @@ def choice_turned(f, N, focus_distance, c):
 
 def number_with_a_unit(f, N, focus_distance, c):
     return limits_from(N * c * (focus_distance - f) / f, focus_distance)
+
+
+def number_with_a_square_of_a_unit(f, N, focus_distance, c):
+    return limits_from(N * c * (focus_distance - f) / f * 2, focus_distance)
+
+
+def star_sharp_beyond_only(f, N, focus_distance, c):
+    a = N * c * (focus_distance - f) / f**2
+    far = focus_distance / np.where(a < 1, 1 - a, 1)
+    return focus_distance / (1 + a), np.where(a > 1, np.inf, far)
 
 
 # --- aperture_for_depth -----------------------------------------------------------------------
@@ -164,6 +178,10 @@ def closeup_in_metres(m, N, c):
 
 def airy_without_the_f_number(wavelength, N):
     return 2.44 * wavelength + 0 * N
+
+
+def airy_with_a_comma(wavelength, N):
+    return 2, 44 * wavelength * N
 
 
 def truth_in_quotation_marks(N, wavelength, pitch):

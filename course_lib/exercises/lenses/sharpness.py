@@ -138,6 +138,11 @@ DEPTH_OF_FIELD = Exercise(
             "the division harmless: which second one is missing?",
         ),
         Misconception(
+            slips.star_sharp_beyond_only,
+            "On H itself, a is exactly 1. To which side does your condition count it, and is a "
+            "star sharp there?",
+        ),
+        Misconception(
             slips.choice_turned,
             "Infinity stands where the far limit is finite. Is the number a below 1 or above it, "
             "when the lens is focused before H?",
@@ -145,6 +150,7 @@ DEPTH_OF_FIELD = Exercise(
         Misconception(
             slips.number_with_a_unit,
             "The number a has no unit. Has yours one?",
+            also=[slips.number_with_a_square_of_a_unit],
         ),
     ],
 )
