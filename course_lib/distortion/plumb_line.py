@@ -178,7 +178,7 @@ def _bent_distances(points: Array, ends: Array, K: Array, k: Array) -> Array:
     ideal = undistort_points(points, k)
     seen = np.isfinite(ideal[:, 0])
     ideal[~seen] = points[~seen]
-    parts = [_across(part) for part in np.split(ideal, ends)]
+    parts = [across_line(part) for part in np.split(ideal, ends)]
     distances = np.concatenate([part[0] for part in parts])
     normals = np.concatenate([np.tile(part[1], (len(part[0]), 1)) for part in parts])
     # d(ideal)/d(pixel) = (K J)⁻¹; a distance along n changes by its transpose times n.
@@ -190,7 +190,7 @@ def _bent_distances(points: Array, ends: Array, K: Array, k: Array) -> Array:
     return np.where(near, pixels, OUT_OF_REACH)
 
 
-def _across(points: Array) -> tuple[Array, Array]:
+def across_line(points: Array) -> tuple[Array, Array]:
     """Return signed distances from the best line, and the direction across it."""
     centred = points - points.mean(axis=0)
     x, y = np.linalg.svd(centred, full_matrices=False)[2][0]

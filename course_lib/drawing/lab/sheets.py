@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from course_lib.distortion import displacement_field, pixel_grid
+from course_lib.distortion.plumb_line import across_line
 from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame
 from course_lib.drawing.style import BLUE, FULL_WIDTH, GREY, RED, ROLES, rgb
 
@@ -193,7 +194,7 @@ def straightened(
     Figure
         Two pictures.
     """
-    offsets = [_off_line(np.asarray(row, float)) for row in rows]
+    offsets = [across_line(np.asarray(row, float)) for row in rows]
     far = _times(float(np.abs(offsets[0][0]).max()), size)
     fig, axes = panels(1, 2, (FULL_WIDTH, FULL_WIDTH / 2 * size[1] / size[0] + 0.5))
     names = ("as taken", "straightened")
@@ -209,10 +210,3 @@ def straightened(
         most = np.abs(off).max()
         ax.set_title(f"{name}: {most:.2f} px off a line, drawn {far:g} ×", fontsize=10)
     return fig
-
-
-def _off_line(points: Floats) -> tuple[Floats, Floats]:
-    """Return how far points are off the straight line that fits best, and across it."""
-    centred = points - points.mean(axis=0)
-    normal = np.linalg.svd(centred)[2][1]
-    return centred @ normal, normal
