@@ -1,5 +1,7 @@
 """The explorers of chapter 11 compute what they show."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -150,6 +152,12 @@ def test_cameras_and_lenses_of_ones_own_stand_behind_those_of_the_catalogue(tmp_
     one = stand(MY_CAMERA, read_lenses(table)["Table's"], 2, np.radians(15), 10, 250e-6)
     seen = box_in_view(BOX.with_motion(TASK.motion), one.view)
     assert rows(planner.frame_now())[0][2] == f"{seen.margins.min():.0f} px"
+
+
+def test_cameras_that_are_alike_before_the_comma_keep_their_whole_names():
+    other = replace(MY_CAMERA, name="Mine, cropped")
+    options = setup_planner([MY_CAMERA, other])._controls["camera"].options
+    assert options == (*bench.cameras(), "Mine, 8 Mpx", "Mine, cropped")
 
 
 def test_a_camera_without_any_lens_says_so():

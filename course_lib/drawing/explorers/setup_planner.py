@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from functools import cache
 
@@ -52,8 +53,11 @@ def lenses() -> dict[str, LensModel]:
 
 
 def short_names(given: Iterable[CameraModel]) -> dict[str, CameraModel]:
-    """Return cameras by what stands before the first comma in their names."""
-    return {camera.name.partition(",")[0]: camera for camera in given}
+    """Return cameras by what stands before the first comma in their names, if that is enough."""
+    cameras = list(given)
+    short = [camera.name.partition(",")[0] for camera in cameras]
+    alike = Counter(short)
+    return {s if alike[s] == 1 else c.name: c for s, c in zip(short, cameras, strict=True)}
 
 
 def setup_frame(

@@ -57,9 +57,8 @@ def with_lenses(
     cameras: Mapping[str, CameraModel], lenses: Mapping[str, LensModel]
 ) -> dict[str, Drone]:
     """Return cameras with the first lens that fits each, of these or else of the catalogue."""
-    found = {}
+    found, several = {}, [*lenses.values(), *read_lenses().values()]
     for name, camera in cameras.items():
-        several = [*lenses.values(), *read_lenses().values()]
         fitting = [lens for lens in several if lens.mount == camera.mount]
         if not fitting:
             raise ValueError(
