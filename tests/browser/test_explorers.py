@@ -5,6 +5,7 @@ import pytest
 from explorer_list import EXPLORERS, READABLE
 from explorer_page import cells_with, drag, explorer_in, photograph, pixels, reset, settle
 from lab import run_all_cells, write_notebook
+from playwright.sync_api import expect
 
 each = pytest.mark.parametrize("explorer", EXPLORERS, indirect=True)
 each_readable = pytest.mark.parametrize("explorer", READABLE, indirect=True)
@@ -68,9 +69,15 @@ def test_dragging_moves_the_picture_its_words_and_its_numbers(explorer):
     words = [picture.get_attribute("aria-label") for picture in pictures]
     numbers = root.locator("dl").inner_text()
     drag(slider, 0.8, 0.15)
-    assert (photograph(root) != before).mean() > 0.005
+    dragged = photograph(root)
+    assert (dragged != before).mean() > 0.005
     assert [picture.get_attribute("aria-label") for picture in pictures] != words
     assert root.locator("dl").inner_text() != numbers
+    frame = int(root.get_attribute("data-frame"))
+    for key in ("ArrowRight", "ArrowLeft"):  # a state has one picture, however it was reached
+        slider.press(key)
+    expect(root).to_have_attribute("data-frame", str(frame + 2))
+    np.testing.assert_array_equal(pixels(pictures[0]), dragged)
 
 
 @each_readable
