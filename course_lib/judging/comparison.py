@@ -31,8 +31,9 @@ KINDS = {
     "c": ("a complex number", "complex numbers of "),
     "U": ("a text", "texts of "),
 }
-#: Said where one of so many values is wrong.
-OTHERS = {1: "", 2: "The other one is right."}
+#: Said where only one of two values is wrong, and where only one of several is.
+OTHER_VALUES = ("The other one is right.", "The others are right.")
+OTHER_ENTRIES = ("The other entry is right.", "The other entries are right.")
 
 
 def describe(value: Any) -> str:
@@ -156,7 +157,7 @@ class Close:
             names = ", ".join(map(str, expected))
             return Mismatch("type", f"A dictionary with the keys {names} was expected.")
         pairs = ((f"`{key}`", got[key], expected[key]) for key in expected)
-        return self._first_wrong(pairs)
+        return self._first_wrong(pairs, OTHER_ENTRIES)
 
     def _elements(self, got: Any, expected: tuple[Any, ...]) -> Mismatch | None:
         several = isinstance(got, tuple | list) or (isinstance(got, np.ndarray) and got.ndim > 0)
@@ -166,15 +167,17 @@ class Close:
             message = f"The answer is {describe(got)}; {wanted}"
             return Mismatch("type", message)
         names = (f"Value {i} of {len(expected)}" for i in range(1, len(expected) + 1))
-        return self._first_wrong(zip(names, got, expected, strict=True))
+        return self._first_wrong(zip(names, got, expected, strict=True), OTHER_VALUES)
 
-    def _first_wrong(self, pairs: Iterable[tuple[str, Any, Any]]) -> Mismatch | None:
+    def _first_wrong(
+        self, pairs: Iterable[tuple[str, Any, Any]], others: tuple[str, str]
+    ) -> Mismatch | None:
         every = list(pairs)
         for i, (name, got, expected) in enumerate(every):
             if miss := self(got, expected):
-                alone = all(self(g, e) is None for _, g, e in every[i + 1 :])
-                others = OTHERS.get(len(every), "The others are right.") if alone else ""
-                return Mismatch(miss.kind, f"{name}: {miss.message} {others}".rstrip())
+                alone = len(every) > 1 and all(self(g, e) is None for _, g, e in every[i + 1 :])
+                praise = others[len(every) > 2] if alone else ""
+                return Mismatch(miss.kind, f"{name}: {miss.message} {praise}".rstrip())
         return None
 
 
@@ -198,7 +201,8 @@ class YesOrNo:
     def __call__(self, got: Any, expected: Any) -> Mismatch | None:
         """Return why `got` is not `expected`, or None."""
         truth = np.asarray(expected)
-        wrong_type = f"The answer is {describe(got)}; {describe(truth)} was expected."
+        missing = " Is the `return` missing?" if got is None else ""
+        wrong_type = f"The answer is {describe(got)}; {describe(truth)} was expected.{missing}"
         try:
             array = np.asarray(got)
         except ValueError:  # rows of different length

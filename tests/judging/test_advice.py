@@ -269,7 +269,8 @@ def test_a_function_that_lacks_its_return(use):
 
 
 @pytest.mark.parametrize(
-    "use", ["np.linalg.norm - 1", "a.sum / 2", "np.sqrt * 2", "np.array[1, 2]"]
+    "use",
+    ["np.linalg.norm - 1", "a.sum / 2", "np.sqrt * 2", "np.array[1, 2]", "len > 2", "2 > len"],
 )
 def test_a_function_without_its_brackets(use):
     assert "round brackets call it" in said(exec, use, {"np": np, "a": np.ones(3)})

@@ -44,7 +44,11 @@ ON_CODE: tuple[tuple[str, str | re.Pattern[str], str], ...] = (
         "A number or an array stands right before a bracket, so Python takes it for a function. "
         "Is a `*` missing, or are square brackets meant?",
     ),
-    ("TypeError", re.compile("operand.*'(function|.*_method|.*Dispatcher|.*ufunc)'"), CALL),
+    (
+        "TypeError",
+        re.compile("(operand|between).*'(function|.*_method|.*Dispatcher|.*ufunc)'"),
+        CALL,
+    ),
     ("TypeError", re.compile("(function|_method|Dispatcher|ufunc)' object is not subs"), CALL),
     ("TypeError", "Field elements", ROWS),
     ("TypeError", "array() takes", ROWS),
