@@ -50,7 +50,7 @@ NO_FIGURES |= {"cameras", "corner_camera", "first_camera"}
 @pytest.fixture(scope="module", params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
-    drawn.canvas.draw()
+    drawn.draw_without_rendering()
     return drawn
 
 
@@ -70,21 +70,21 @@ def test_every_function_is_tried_here():
 
 @pytest.mark.parametrize("yours", [None, "left", [1, 2], np.full((3, 3), np.nan), {}])
 def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
-    draw.points_on_rays(PAIRS, yours=yours).canvas.draw()
-    draw.opening_door(ANGLES, yours=[yours] * 3).canvas.draw()
-    draw.taken_from(yours).canvas.draw()
-    draw.taken_from((yours, yours)).canvas.draw()
-    draw.wire(SECOND, yours=yours).canvas.draw()
-    draw.columns_of(yours, draw.corner_camera()).canvas.draw()
-    draw.one_ray((622, 94), draw.first_camera(), SECOND, yours=yours).canvas.draw()
-    draw.street_map(draw.cameras(), centres=[yours] * 3, point=yours).canvas.draw()
+    draw.points_on_rays(PAIRS, yours=yours).draw_without_rendering()
+    draw.opening_door(ANGLES, yours=[yours] * 3).draw_without_rendering()
+    draw.taken_from(yours).draw_without_rendering()
+    draw.taken_from((yours, yours)).draw_without_rendering()
+    draw.wire(SECOND, yours=yours).draw_without_rendering()
+    draw.columns_of(yours, draw.corner_camera()).draw_without_rendering()
+    draw.one_ray((622, 94), draw.first_camera(), SECOND, yours=yours).draw_without_rendering()
+    draw.street_map(draw.cameras(), centres=[yours] * 3, point=yours).draw_without_rendering()
 
 
 def test_a_mirrored_camera_takes_no_picture():
     words = [
         t.get_text() for t in draw.taken_from((np.diag([1, 1, -1]), np.zeros(3))).axes[0].texts
     ]
-    assert words == ["not a pose (R must be a rotation)"]
+    assert words == ["not a pose\n(R must be a rotation)"]
 
 
 # What they show
@@ -191,12 +191,12 @@ def test_stars_beside_the_map_are_counted():
         (None, "no pose yet"),
         (PLAN, None),
         ((SECOND.R.T, SECOND.t), "hardly a house in sight from"),
-        ((SECOND.R, np.full(3, np.nan)), "not a pose (nan)"),
-        ((SECOND.R, 1e200 * SECOND.t), "not a pose (t is far too long)"),
-        ((2 * SECOND.R, SECOND.t), "not a pose (R must be a rotation)"),
-        ((0 * SECOND.R, SECOND.t), "not a pose (R must be a rotation)"),
-        ((SECOND.R + 0j, SECOND.t), "not a pose (R is 3 × 3, t has 3 numbers)"),
-        (np.eye(4), "not a pose (R and t)"),
+        ((SECOND.R, np.full(3, np.nan)), "not a pose\n(nan)"),
+        ((SECOND.R, 1e200 * SECOND.t), "not a pose\n(t is far too long)"),
+        ((2 * SECOND.R, SECOND.t), "not a pose\n(R must be a rotation)"),
+        ((0 * SECOND.R, SECOND.t), "not a pose\n(R must be a rotation)"),
+        ((SECOND.R + 0j, SECOND.t), "not a pose\n(R is 3 × 3, t has 3 numbers)"),
+        (np.eye(4), "not a pose\n(R and t)"),
     ],
 )
 def test_a_pose_without_a_picture_of_houses_says_why(pose, words):
@@ -204,6 +204,23 @@ def test_a_pose_without_a_picture_of_houses_says_why(pose, words):
         said = [text.get_text() for text in drawn.axes[0].texts]
         assert len(said) == (words is not None)
         assert not words or said[0].startswith(words)
+
+
+def test_words_for_no_pose_stay_in_their_frame():
+    mirrored = np.diag([1, 1, -1]), np.zeros(3)
+    drawn = draw.imports([mirrored, (np.eye(3), [1, 2]), (np.eye(3), [1e300] * 3)], "abc")
+    drawn.draw_without_rendering()
+    for ax in drawn.axes:
+        frame, words = ax.get_window_extent(), ax.texts[0].get_window_extent()
+        assert frame.x0 < words.x0 < words.x1 < frame.x1, ax.texts[0].get_text()
+
+
+def test_names_of_points_on_rays_stay_beside_the_axis():
+    drawn = draw.points_on_rays(PAIRS)
+    drawn.draw_without_rendering()
+    (ax,) = drawn.axes
+    for text in ax.texts:
+        assert text.get_window_extent().x0 > ax.get_window_extent().x0, text.get_text()
 
 
 def test_stars_of_a_sweep_lie_in_the_circles_only_if_the_pose_is_right():

@@ -71,14 +71,15 @@ def points_on_rays(points: ArrayLike, yours: ArrayLike | None = None) -> Figure:
         ax.plot(there, 1 + 0 * there, "*", color=ROLES["second"], ms=11, label="your function")
         ax.legend(loc="upper left", frameon=True)
     ax.plot(0, 0, "o", color=BLACK, ms=7)
+    ax.margins(x=0.1)  # room for the names beside the points
     ax.set(xlabel="x (no unit)", ylabel="w (no unit)", ylim=(-0.85, 2.45))
     write(ax, (ax.get_xlim()[1], 1.1), "w = 1", "image", ha="right")
     return fig
 
 
 @figure(
-    "Four versions of one house with a floor of squares: turned; turned and smaller; slanted, "
-    "with parallel edges; and seen in perspective, where parallel edges run together."
+    "Four versions of a square with a cross and a circle in it: turned; turned and smaller; "
+    "slanted, with parallel edges; and seen in perspective, where parallel edges run together."
 )
 def what_survives() -> Figure:
     """Show one drawing under transformations of four kinds.

@@ -142,7 +142,7 @@ def show_view(ax: Axes, pose: object) -> Camera | None:
     usable = usable_pose(pose)
     if usable is None:
         words = "no pose yet" if pose is None else _what_is_wrong(pose)
-        write(ax, (SIZE[0] / 2, SIZE[1] / 2), words, "guide")
+        write(ax, (SIZE[0] / 2, SIZE[1] / 2), words.replace(" (", "\n("), "guide")
         return None
     camera = Camera(K, *usable, SIZE)
     picture = photograph(camera)
@@ -153,7 +153,7 @@ def show_view(ax: Axes, pose: object) -> Camera | None:
     return camera
 
 
-@figure("Three views of one matrix file: {titles}.")
+@figure("What a camera sees of the street when its file is read in different ways: {titles}.")
 def imports(poses: Sequence[object], titles: Sequence[str]) -> Figure:
     """Show what a camera sees when its matrix is read in different ways.
 

@@ -165,7 +165,7 @@ def gimbal(pan_deg: float = 25.0, tilt_deg: float = 15.0) -> Figure:
     low = view.project(mount + 0.25 * (camera.centre - mount))
     write(ax, low - np.array([14.0, 0]), "offset", "object", ha="right")
     left = min((view.project(-R.T @ t) for R, t in place), key=lambda pixel: float(pixel[0]))
-    write(ax, left - np.array([10.0, 0]), "way of the hole\nin a pan", ha="right")
+    write(ax, left - np.array([10.0, 0]), "way of the hole\nas it pans", ha="right")
     show_frustum(ax, view, camera, depth=0.7, name="")
     show_axes(ax, view, camera.centre, 0.45 * R, "xyz", "camera")
     ax.set(xlim=(80, 600), ylim=(440, 30))
