@@ -36,8 +36,8 @@ TRIED = (
 
 @figure(
     "Error after each step of the fixed-point iteration and of Newton's method, for three lenses: "
-    "with a mild barrel both come to rest, with a strong pincushion only Newton's method, and with "
-    "a lens that folds over near the point only the fixed-point iteration."
+    "with a mild barrel both find the answer, with a strong pincushion only Newton's method, and "
+    "with a lens that folds over near the point only the fixed-point iteration."
 )
 def iterations(steps: int = 10) -> Figure:
     """Show how two methods undo the distortion of one point, step by step.
