@@ -190,6 +190,7 @@ def test_a_virtual_image_is_dashed_and_named():
 def test_parallel_rays_make_no_image():
     for frame in (RAYS(60, 60, rays.ONE, 30, 30), RAYS(300, 50, rays.SPREADING, 30, 30)):
         assert (frame.readouts[0].value, frame.readouts[0].unit) == ("∞", "")
+        assert (frame.readouts[1].value, frame.readouts[1].unit) == ("–", "")
         assert not [t for t in texts(frame.pictures[0]) if "image" in t]
 
 
@@ -213,7 +214,7 @@ def test_light_of_a_far_object_comes_in_parallel_and_leaves_a_telescope_so():
         (_, v0), (_, v1), *_, (_, v2), (_, v3) = np.asarray(line.points)
         assert v0 == pytest.approx(v1, abs=0.1)
         assert v2 == pytest.approx(v3, abs=0.1)
-    assert frame.readouts[0].value == "∞"
+    assert [reading.value for reading in frame.readouts[:2]] == ["∞", "–"]
     assert value(frame, "Focal length of the whole") == np.inf
     assert not [x for x in frame.pictures[0].lines if x.dashed and x.role == "ray"]
     assert "← object 1000 m away" in texts(frame.pictures[0])

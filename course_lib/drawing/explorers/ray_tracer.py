@@ -255,9 +255,10 @@ def _outside(image: float, m: float, count: int) -> list[Label]:
 def _image_numbers(image: float, m: float, count: int) -> tuple[Readout, ...]:
     """Return the numbers of the image."""
     last = "the lens" if count == 1 else "the last lens"
+    size = _quantity(m, 2, "×") if abs(image) <= FAR else ("–", "")  # of no image
     return (
         Readout(f"Image behind {last}", "s", *_quantity(image, 1, "mm")),
-        Readout("Magnification", "", *_quantity(m, 2, "×")),
+        Readout("Magnification", "", *size),
     )
 
 
