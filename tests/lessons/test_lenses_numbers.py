@@ -290,9 +290,12 @@ def is_assigned(node):
 def test_two_lenses():
     f, _, back = optics.lens_system(50, -30, 30)
     assert f == pytest.approx(150)
-    assert 30 + back < 0
     assert 30 + back + f == pytest.approx(90)
+    assert back == pytest.approx(-90)
+    system = optics.thin_lens(-30) @ optics.free_space(30) @ optics.thin_lens(50)
+    assert system[:, 0] == pytest.approx([0.4, -1 / 150])
     says("act like a 150 mm lens", "only 90 mm behind the first lens")
+    says("$A = 1 - d/f_1 = 0.4$ and $C = -1/150$, so $H'$ is $0.6 \\cdot (-150) = -90$ mm")
     zoomed = [optics.lens_system(50, -30, d)[0] for d in (27, 35)]
     assert zoomed == [about(214, 0), about(100, 0)]
     says("from 214 mm to 100 mm")
