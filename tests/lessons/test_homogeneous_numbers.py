@@ -11,6 +11,7 @@ from course_lib.camera import Camera
 from course_lib.drawing import homogeneous as draw
 from course_lib.drawing.explorers.join_meet import join_meet_frame
 from course_lib.drawing.explorers.whole_camera import FIRST, whole_camera, whole_camera_frame
+from course_lib.drawing.homogeneous import projective
 from course_lib.widgets.homogeneous import join_meet_explorer, whole_camera_explorer
 
 TEXT = lesson_text("02_homogeneous")
@@ -63,6 +64,54 @@ def test_cross_ratio_of_equal_steps():
     for points in (steps, seen):
         assert homogeneous.cross_ratio(points) == pytest.approx(4 / 3)
     says("= 4/3$")
+
+
+def test_upright_lines_of_the_projective_picture_meet_at_its_second_column():
+    H = projective.KINDS["projective"]
+    assert H[:, 1].tolist() == [0.06, 0.72, 0.32]
+    there = homogeneous.from_homogeneous(H @ (0, 1, 0))
+    assert rounded(there, 2) == [0.19, 2.25]
+    assert homogeneous.apply_homography([[-1, 1], [1, 1]], H)[:, 1].max() < there[1]
+    for x in (-1, 0, 1):
+        seen = homogeneous.to_homogeneous(homogeneous.apply_homography([[x, -1], [x, 1]], H))
+        assert abs(homogeneous.line_through(*seen) @ (*there, 1)) < 1e-12
+    says("second column $(0.06, 0.72, 0.32)$", "the ordinary point $(0.19, 2.25)$")
+
+
+def test_a_pose_and_its_way_back():
+    R, t = transforms.rotation_z(np.pi / 2), np.array([1, 2, 3])
+    assert rounded(R @ (1, 0, 0), 9) == [0, 1, 0]
+    assert rounded(R @ (1, 0, 0) + t, 9) == [1, 3, 3]
+    assert [rounded(R.T @ x, 9) for x in (t, (1, 3, 3))] == [[2, -1, 3], [3, -1, 3]]
+    back = transforms.invert_pose(R, t)
+    assert rounded(back[0] @ (1, 3, 3) + back[1], 9) == [1, 0, 0]
+    says(r"$R^\mathsf{T}\mathbf t = (2, -1, 3)$", "(3, -1, 3) - (2, -1, 3) = (1, 0, 0)")
+    says("$(0, 1, 0) + (1, 2, 3) = (1, 3, 3)$")
+
+
+def test_the_pose_of_the_drone():
+    axes = np.array([[1, 0, 0], [0, -0.8, 0.6], [0, -0.6, -0.8]])
+    R, t = transforms.pose_from_placement(axes, (2, -10, 40))
+    assert rounded(t, 9) == [-2, 16, 38]
+    assert rounded(R, 9) == [[1, 0, 0], [0, -0.8, -0.6], [0, 0.6, -0.8]]
+    says(
+        r"-(2,\, -16,\, -38) = (-2, 16, 38)", "$(0, -0.8, -0.6)$ down and $(0, 0.6, -0.8)$ forward"
+    )
+    says("axes = np.array([[1, 0, 0], [0, -0.8, 0.6], [0, -0.6, -0.8]])", "np.array([2, -10, 40])")
+
+
+def test_the_file_names_the_direction_backwards():
+    assert draw.FROM_BLENDER[:3, 2].tolist() == [0.768, -0.576, 0.28]
+    assert rounded(SECOND.R[2], 9) == [-0.768, 0.576, -0.28]
+    says("$(0.768, -0.576, 0.28)$", "along $(-0.768, 0.576, -0.28)$")
+
+
+def test_the_lamp_divided_by_its_depth():
+    readings = {r.label: r.value for r in whole_camera_frame(**FIRST).readouts}
+    assert readings["Lamp times P"] == "(3932, 1392, 12.74)"
+    assert rounded(np.array([3932, 1392]) / 12.74, 0) == [309, 109]
+    assert readings["Lamp in the picture"].startswith("(309, 109)")
+    says("$(3932, 1392, 12.74)$", "= (309, 109)$")
 
 
 def test_moves():
