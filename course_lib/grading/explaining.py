@@ -60,9 +60,10 @@ def explain_isolation() -> str:
         f"Submissions run behind bubblewrap, as {who}. Tried on this machine just now:",
         *(f"  {'held  ' if held else 'BROKEN'}  {name}" for name, held in try_out(allowance)),
         "",
-        f"Limits: {allowance.cell_seconds:g} s of computing a cell, and by the clock "
-        f"{allowance.cell_clock:g} s a cell, {allowance.notebook_seconds:g} s a notebook, "
-        f"{allowance.answer_seconds:g} s an answer, {allowance.total_seconds:g} s in all; "
+        f"Limits: {allowance.cell_seconds:g} s of computing a cell, {allowance.answer_seconds:g} s "
+        f"an answer; by the clock {allowance.cell_clock:g} s a cell, {allowance.answer_clock:g} s "
+        f"an answer, {allowance.notebook_seconds:g} s a notebook, "
+        f"{allowance.total_seconds:g} s in all; "
         f"{allowance.memory / 1e9:g} GB of memory, {allowance.processes} processes, "
         f"{allowance.files / 1e6:g} MB of temporary files.",
         "References, hidden inputs, other submissions, the key and the gradebook are not in sight.",

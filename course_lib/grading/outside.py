@@ -185,14 +185,16 @@ class Judge:
         cases = pose(exercise, seed_for(seed, exercise.name))
         answers: list[Answer] = []
         missed: frozenset[str] = frozenset()
-        seconds = self._allowance.answer_seconds
         for case in cases:
-            if answers and (answers[-1].status == "time limit" or answers[-1] == crashed()):
-                answers.append(crashed() if answers[-1] == crashed() else Answer("time limit"))
-                continue
-            answer, more = _answer(conversation, number, exercise, case, lines, seconds)
-            answers.append(answer)
-            missed |= more
+            if answers and answers[-1] == crashed():
+                answers.append(crashed())
+            elif conversation.seconds_left <= 0 or any(a.status == "time limit" for a in answers):
+                answers.append(Answer("time limit"))
+            else:
+                allowance = self._allowance
+                answer, more = _answer(conversation, number, exercise, case, lines, allowance)
+                answers.append(answer)
+                missed |= more
         return compare(exercise, cases, answers), missed
 
     def _server(self, hidden: frozenset[str], submitted: Submitted) -> Server:
@@ -240,9 +242,10 @@ def _answer(
     exercise: Exercise,
     case: Case,
     lines: Sequence[str],
-    seconds: float,
+    allowance: Allowance,
 ) -> tuple[Answer, frozenset[str]]:
-    question = {"part": case.part, "inputs": case.inputs, "seconds": seconds}
+    seconds, clock = allowance.answer_seconds, allowance.answer_clock
+    question = {"part": case.part, "inputs": case.inputs, "seconds": seconds, "clock": clock}
     try:
         return vet(exercise, case, conversation.ask(number, question), lines, seconds)
     except wire.Late:

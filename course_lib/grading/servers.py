@@ -55,10 +55,20 @@ class Job:
 
 
 class Conversation:
-    """A submission that runs: first its outputs, then its answers."""
+    """A submission that runs: first its outputs, then its answers.
 
-    def __init__(self, life: socket.socket, talk: socket.socket, asks: Sequence[socket.socket]):
+    Its guard ends it after `total_seconds`; a little before that, nothing more is asked.
+    """
+
+    def __init__(
+        self,
+        life: socket.socket,
+        talk: socket.socket,
+        asks: Sequence[socket.socket],
+        total_seconds: float,
+    ) -> None:
         self._life, self._talk, self._asks = life, talk, asks
+        self._end = time.monotonic() + total_seconds - GRACE
         self.outputs: dict[int, dict[str, Any]] = {}
         self.reached: set[int] = set()
         self.finished = False
@@ -98,17 +108,29 @@ class Conversation:
             return str(wire.receive(self._life, 0.3))
         return "crash"
 
+    @property
+    def seconds_left(self) -> float:
+        """How long questions may still take, by the clock."""
+        return self._end - time.monotonic()
+
     def ask(self, check: int, question: Mapping[str, Any]) -> Any:
         """Put one question to the copy that waits at a check.
+
+        Parameters
+        ----------
+        check : int
+            Its number.
+        question : mapping
+            ``part``, ``inputs``; ``seconds`` of the processor, and ``clock``, for the answer.
 
         Raises
         ------
         wire.Closed, wire.Late, wire.MalformedMessageError
             If there is no answer.
         """
-        line = self._asks[check]
-        wire.send(line, dict(question))
-        return wire.receive(line, question["seconds"] + GRACE)
+        line, clock = self._asks[check], max(min(question["clock"], self.seconds_left), 0.01)
+        wire.send(line, {**question, "clock": clock})
+        return wire.receive(line, clock + GRACE)
 
 
 class Server:
@@ -215,7 +237,7 @@ class Server:
                     wire.send(talk, self._order(job, folder))
                 except wire.Closed as error:
                     raise ServerGoneError(str(error)) from None
-                conversation = Conversation(life, talk, asks)
+                conversation = Conversation(life, talk, asks, allowance.total_seconds)
                 conversation.listen(allowance.notebook_seconds + GRACE)
                 yield conversation
         finally:

@@ -215,7 +215,7 @@ def _outcome(
 @contextmanager
 def _guarded(exercise: Exercise, limits: Limits, called: set[str]) -> Iterator[None]:
     """Stop a call that takes too long, and note which ready-made answers it calls."""
-    with time_limit(limits.seconds), _watch_calls(exercise, called):
+    with time_limit(limits.seconds, limits.clock), _watch_calls(exercise, called):
         yield
 
 

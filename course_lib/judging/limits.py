@@ -33,9 +33,14 @@ class TooLargeError(ValueError):
 
 @dataclass(frozen=True)
 class Limits:
-    """What an answer may use: seconds per call, characters of output, bytes of result."""
+    """What an answer may use: seconds per call, characters of output, bytes of result.
+
+    The seconds are the clock's or, if there is a `clock` to say how many of those, too, the
+    processor's: see `time_limit`.
+    """
 
     seconds: float = 5.0
+    clock: float | None = None
     characters: int = 2000
     bytes: int = 20_000_000
 

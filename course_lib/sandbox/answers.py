@@ -52,7 +52,8 @@ def answer_questions(check: Mapping[str, Any], line: socket, namespace: Mapping[
             continue
         hidden.called.clear()
         case = Case(question["part"], question["inputs"])
-        (given,) = answer(asked, function, [case], Limits(seconds=question["seconds"]))  # type: ignore[arg-type]
+        limits = Limits(question["seconds"], clock=question["clock"])
+        (given,) = answer(asked, function, [case], limits)  # type: ignore[arg-type]
         reply = vars(given) | {"hidden": sorted(hidden.called)}
         try:
             wire.send(line, reply)

@@ -18,7 +18,7 @@ class Allowance:
     notebook_seconds : float
         By the clock for all its cells together.
     answer_seconds : float
-        By the clock for one call of an answer.
+        Of the processor for one call of an answer; see `answer_clock`.
     total_seconds : float
         By the clock from beginning to end.
     processor_seconds : float
@@ -47,6 +47,11 @@ class Allowance:
     def cell_clock(self) -> float:
         """Seconds by the clock for one cell: a machine may be busy, and a cell may wait."""
         return 2 * self.cell_seconds
+
+    @property
+    def answer_clock(self) -> float:
+        """Seconds by the clock for one call of an answer: as for a cell."""
+        return max(self.answer_seconds, self.cell_clock)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the numbers by name."""

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import nbformat
 import pytest
-from attacks import FORGERIES, HARM, LEAKS, VALUES, Attack
+from attacks import FORGERIES, HARM, LEAKS, RIGHT, VALUES, Attack
 from attacks.attack import body
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_raw_cell
 from nbgrader.api import Gradebook
@@ -138,6 +138,37 @@ def points(term, student):
 @pytest.mark.parametrize("student", HONEST)
 def test_the_honest_get_what_they_deserve(evening, submissions, student):
     assert points(evening[0], student) == submissions[student].points
+
+
+def test_who_computes_long_loses_nothing_beside_a_crowd(new_term, submissions):
+    """Two are graded at the same time: one starts 55 processes that compute without a pause."""
+    term, right = new_term("crowded", ()), submissions["right"]
+    crowd = Attack(
+        "import os, time\n"
+        "end = time.monotonic() + 8\n"
+        "for _ in range(55):\n"
+        "    if os.fork() == 0:\n"
+        "        os.setsid()  # a scheduler that is fair to sessions is not fair to others then\n"
+        "        time.sleep(1)\n"
+        "        while time.monotonic() < end: pass\n"
+        "        os._exit(0)\n"
+        "print('crowded')\n"
+        "time.sleep(7)",
+        RIGHT,
+    )
+    answer = body(
+        "work, start = tasks.pop(), time.process_time()",
+        "while time.process_time() < start + work: pass",
+        "return focal_length * new_distance / distance",
+    )
+    plodder = Attack("import time\ntasks = [0] * 99 + [2]", answer)
+    both = {"crowd": crowd, "plodder": plodder}
+    write_submissions(term, ASSIGNMENT, [with_attack(right, *one) for one in both.items()])
+    done = run("course", "grade", ASSIGNMENT, "--workers", "2", cwd=term)
+    assert done.returncode == 0, done.stdout
+    graded = (term / f"autograded/crowd/{ASSIGNMENT}/{ASSIGNMENT}.ipynb").read_text("utf-8")
+    assert '"crowded\\n"' in graded
+    assert points(term, "plodder") == right.points
 
 
 @pytest.mark.parametrize("student", CODE)

@@ -24,7 +24,7 @@ def heard(messages):
         its.close()
 
     with mine:
-        conversation = Conversation(mine, mine, [])
+        conversation = Conversation(mine, mine, [], 60.0)
         speaker = threading.Thread(target=say)
         speaker.start()
         conversation.listen(20)

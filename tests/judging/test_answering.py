@@ -120,6 +120,18 @@ def test_sleeping_ends_at_the_limit():
     assert time.monotonic() - start < 30
 
 
+def test_who_has_to_wait_for_the_processor_is_held_to_the_clock_later():
+    def late(numbers):
+        time.sleep(0.4)
+        return 2 * numbers
+
+    assert first(late).status == "time limit"
+    assert first(late, Limits(seconds=0.2, clock=60.0)).status == "value"
+    assert first(lambda _: time.sleep(60), Limits(60.0, clock=0.2)).status == "time limit"
+    endless = Limits(seconds=0.2, clock=60.0)
+    assert first(lambda _: all(True for _ in iter(int, 1)), endless).status == "time limit"
+
+
 def test_endless_loop_ends_outside_the_main_thread():
     """Where signals do not reach (other threads, Windows) a watchdog stops Python code."""
 

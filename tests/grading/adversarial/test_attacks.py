@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from attacks import FORGERIES, HARM, LEAKS, OUTSIDE, RIGHT, VALUES, Attack
+from attacks.attack import body
 from nbformat.v4 import new_code_cell, new_notebook
 from walls import walled
 
@@ -139,6 +140,27 @@ def test_harm_stays_inside_and_ends_in_time(judge, patient_judge, name):
     assert attack.says in words
     assert len(words) < 500_000
     assert graded(judge, Attack("import os; print(os.listdir('/tmp'))", RIGHT))[0] == [4.0, 4.0]
+
+
+def test_an_answer_that_has_to_wait_is_right_and_one_that_waits_for_ever_ends(judge):
+    waits = body("time.sleep(left.pop())", "return focal_length * new_distance / distance")
+    some_time = f"import time\nleft = [*[0] * 99, {1.3 * SMALL.answer_seconds}]"
+    assert graded(judge, Attack(some_time, waits))[0] == [4.0, 4.0]
+    start = time.monotonic()
+    points, words = graded(judge, Attack("import time\nleft = [600]", waits))
+    assert (points, time.monotonic() - start < 20) == ([0.0, 4.0], True)
+    assert "Does a loop never end" in words
+
+
+def test_all_answers_together_end_with_the_time_of_the_submission():
+    short, start = replace(SMALL, cell_seconds=9.0, total_seconds=8.0), time.monotonic()
+    with Judge("bubblewrap", short, 2) as judge:
+        sleeps = body("import time", "time.sleep(600)")
+        points, words = graded(judge, Attack(answer=sleeps))
+    assert (points, time.monotonic() - start < 30) == ([0.0, 0.0], True)
+    assert words.count("Does a loop never end") >= 1
+    assert "Not tried, because an answer before it took too long" in words
+    assert "a crash" not in words
 
 
 @pytest.fixture(scope="module")
