@@ -85,7 +85,7 @@ def test_whatever_is_compared_is_judged(value):
     [
         np.zeros((0, 35_123_456)), np.zeros((1,) * 9), [np.zeros((0, 10**6))],
         [""] * 3000 + ["x" * 4_000_000], {"a": ("x" * 1000, *range(10_000))},
-        np.array(["", "x" * 1000] * 1000), ("x" * 2_000_000,),
+        np.array(["", "x" * 1000] * 1000), ("x" * 2_000_000,), {"x" * 2_000_000: 1},
     ],
     ids=lambda value: type(value).__name__,
 )  # fmt: skip
