@@ -24,6 +24,7 @@ IMAGE_DISTANCE = Exercise(
         Misconception(
             wrong.not_inverted_back,
             "Which unit has your answer: is it a length, or one divided by a length?",
+            also=[slips.powers_added_and_not_inverted_back],
         ),
         Misconception(
             wrong.in_front_of_the_lens,

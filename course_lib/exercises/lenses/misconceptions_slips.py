@@ -23,6 +23,10 @@ def image_sum_bracket_lost(f, Z):
     return 1 / f - Z
 
 
+def powers_added_and_not_inverted_back(f, Z):
+    return 1 / f + 1 / Z
+
+
 def image_turned_over_term_by_term(f, Z):
     return f - Z
 
@@ -49,6 +53,10 @@ def hyperfocal_sum_above(f, N, c):
     return (f**2 + f) / (N * c)
 
 
+def spot_of_the_street_camera(f, N, c):
+    return f**2 / (N * 0.006) + f
+
+
 def doubled_for_squared(f, N, c):
     return f * 2 / (N * c) + f
 
@@ -64,6 +72,10 @@ def limits_from(a: Any, D: Any) -> Any:
 
 def depth_bracket_lost(f, N, focus_distance, c):
     return limits_from(N * c * focus_distance - f / f**2, focus_distance)
+
+
+def depth_bracket_moved(f, N, focus_distance, c):
+    return limits_from((N * c * focus_distance - f) / f**2, focus_distance)
 
 
 def near_bracket_lost(f, N, focus_distance, c):

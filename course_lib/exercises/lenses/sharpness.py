@@ -41,6 +41,10 @@ HYPERFOCAL_DISTANCE = Exercise(
             "Some kilometres too far. In which unit does c come?",
         ),
         Misconception(
+            slips.spot_of_the_street_camera,
+            "This is right for the street camera alone. Which argument have you not used?",
+        ),
+        Misconception(
             wrong.half_the_way,
             "From there on all is sharp when the lens is focused right. But where is the focus?",
         ),
@@ -130,7 +134,7 @@ DEPTH_OF_FIELD = Exercise(
             slips.depth_bracket_lost,
             "Python multiplies and divides before it adds. Do brackets hold together what the "
             "formula has in brackets, or below a bar?",
-            also=[slips.near_bracket_lost, slips.both_brackets_lost],
+            also=[slips.depth_bracket_moved, slips.near_bracket_lost, slips.both_brackets_lost],
         ),
         Misconception(
             slips.one_choice_only,
