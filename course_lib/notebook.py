@@ -158,7 +158,7 @@ def _shaped(result: Any, expected: Any) -> Any:
     try:
         numbers = np.asarray(result, dtype=float)
     except (TypeError, ValueError):
-        raise _UnusableError(f"returns a {type(result).__name__} instead of {kind}.") from None
+        raise _UnusableError(f"returns {describe(result)} instead of {kind}.") from None
     if numbers.shape != shape:
         given = f"an array of shape {numbers.shape}" if numbers.shape else "a number"
         raise _UnusableError(f"returns {given} instead of {kind}.")

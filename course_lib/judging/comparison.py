@@ -30,6 +30,7 @@ KINDS = {
     "b": ("True or False", "truth values of "),
     "c": ("a complex number", "complex numbers of "),
     "U": ("a text", "texts of "),
+    "O": ("an object, not a number", "objects, not numbers, of "),
 }
 #: Said where only one of two values is wrong, and where only one of several is.
 OTHER_VALUES = ("The other one is right.", "The others are right.")

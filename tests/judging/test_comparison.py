@@ -83,6 +83,13 @@ def test_right_answers_agree(compare, got, expected):
         (Close(), 1.0, np.nan, "values", "should be NaN"),
         (Close(), 2e-9, 0.0, "values", "not the right one"),
         (Close(), np.array([True, False]), np.ones(2), "type", "truth values of shape (2,)"),
+        (
+            Close(),
+            np.array([1, None]),
+            np.ones(2),
+            "type",
+            "an array of objects, not numbers, of s",
+        ),
         (YesOrNo(), 1, True, "type", "True or False was expected"),
         (YesOrNo(), None, True, "type", "return"),
         (YesOrNo(), [[True], [True, False]], np.ones(2, bool), "type", "a list"),
