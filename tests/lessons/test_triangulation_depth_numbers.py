@@ -213,6 +213,9 @@ def test_the_plane_of_light():
 def test_three_patterns_number_eight_planes():
     lights = plane.lit_by()
     assert lights.shape == (3, 8)
+    assert ["".join("01"[light] for light in seen) for seen in lights.T.astype(int)] == [
+        f"{number:03b}" for number in range(8)
+    ]
     assert lights[:, 5].tolist() == [True, False, True]
     assert int("101", 2) == plane.PICKED == 5
     says("saw light, dark, light", "$4 + 0 + 1 = 5$", "tell 8 planes apart", "$2^{10} = 1024$")
