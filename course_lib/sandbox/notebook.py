@@ -32,7 +32,11 @@ from course_lib.sandbox.limits import Allowance
 
 #: Where a notebook runs.
 FOLDER = "/tmp/notebook"
-LATE = "This cell was stopped after {:g} seconds of computing, or {:.3g} by the clock."
+LATE = "This cell was stopped after {:g} seconds of computing, or {:g} by the clock."
+ALL_LATE = (
+    "This cell was stopped because all cells together had taken {:g} seconds by the clock. Which "
+    "of them takes so long?"
+)
 
 
 class _Publisher(DisplayPublisher):  # type: ignore[misc]
@@ -157,7 +161,7 @@ def _run_cell(shell: Any, source: str, allowance: Allowance, left: float) -> lis
     streams = {"stdout": BoundedText(characters), "stderr": BoundedText(characters)}
     before = sys.stdout, sys.stderr
     sys.stdout, sys.stderr = streams["stdout"], streams["stderr"]
-    clock = max(min(allowance.cell_clock, left), 0.01)
+    end, clock = time.monotonic() + left, max(min(allowance.cell_clock, left), 0.01)
     bell = Bell()
     try:
         with time_limit(allowance.cell_seconds, clock) as bell:
@@ -169,7 +173,7 @@ def _run_cell(shell: Any, source: str, allowance: Allowance, left: float) -> lis
     finally:
         sys.stdout, sys.stderr = before
     if bell.rang:
-        late = TimeLimitReached(LATE.format(allowance.cell_seconds, clock))
+        late = TimeLimitReached(_why_late(allowance, time.monotonic() >= end))
         shell.kept = [*shell.kept[:20], _error(TimeLimitReached, late, [])]
     _finish_figures(shell)
     said = [
@@ -178,6 +182,12 @@ def _run_cell(shell: Any, source: str, allowance: Allowance, left: float) -> lis
         if (text := stream.text())
     ]
     return said + [_short(output, characters) for output in shell.kept[:50]]
+
+
+def _why_late(allowance: Allowance, all_late: bool) -> str:
+    if all_late:
+        return ALL_LATE.format(allowance.notebook_seconds)
+    return LATE.format(allowance.cell_seconds, allowance.cell_clock)
 
 
 def _short(output: dict[str, Any], characters: int) -> dict[str, Any]:
