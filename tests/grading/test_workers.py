@@ -56,3 +56,15 @@ def test_several_workers_have_a_core_each():
     finally:
         team.stop()
     assert sorted(os.sched_getaffinity(0)) == cores
+
+
+def test_a_single_worker_may_use_all_cores(monkeypatch):
+    given = []
+
+    def start(*arguments):
+        given.append(arguments[-1])
+        return workers._Worker(None, None)
+
+    monkeypatch.setattr(workers, "_start", start)
+    workers._Team(None, workers.Manner("none", Allowance()), []).begin(1)
+    assert given == [None]
