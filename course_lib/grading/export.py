@@ -38,7 +38,7 @@ class Points:
     classes : tuple of Standings
         By assignment.
     missing : float or None
-        What who handed nothing in gets; None leaves the cell empty.
+        What who handed nothing in gets, where others did; None leaves the cell empty.
     """
 
     classes: tuple[Standings, ...]
@@ -54,8 +54,12 @@ class Points:
         """Return a student's points in an assignment, penalty taken off; None if there are none."""
         own = next((s for s in standings.students if s.student == student.student), None)
         if own is None or not (own.handed_in or own.is_graded):
-            return self.missing
+            return self.missing_in(standings)
         return own.score if own.has_points else None
+
+    def missing_in(self, standings: Standings) -> float | None:
+        """Return what who handed nothing in gets; before anybody did, students may not have it."""
+        return self.missing if any(s.handed_in or s.is_graded for s in standings.students) else None
 
     def cells(self, student: Standing, standings: Iterable[Standings]) -> list[str]:
         """Return a student's points as they are written."""
@@ -102,7 +106,11 @@ def _for_roster(points: Points, roster: Roster, path: Path, folder: Path) -> int
 
 def remarks(points: Points) -> list[str]:
     """Return what one should know of the points before they go anywhere."""
-    return [line for standings in points.classes for line in _remarks(standings, points.missing)]
+    return [
+        line
+        for standings in points.classes
+        for line in _remarks(standings, points.missing_in(standings))
+    ]
 
 
 def _remarks(standings: Standings, missing: float | None) -> Iterator[str]:

@@ -202,6 +202,13 @@ def test_missing_points_are_written_only_if_told():
     }  # fmt: skip
 
 
+def test_a_chapter_that_nobody_handed_in_yet_costs_no_points():
+    nobody = replace(CLASS, students=CLASS.students[-1:])
+    points = Points((CLASS, nobody), missing=0.0)
+    assert points.cells(CLASS.students[-1], points.classes) == ["0", ""]
+    assert remarks(points)[-1] == f"{NAME}: nothing handed in, so the cell is empty: everybody."
+
+
 def test_what_one_should_know_is_said():
     said = "\n".join(remarks(POINTS))
     assert re.search(r"not graded, so the cell is empty: cut\.", said)
