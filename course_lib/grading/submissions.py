@@ -21,6 +21,8 @@ MOST_NOTEBOOK, MOST_FILES = 30_000_000, 15_000_000
 #: Cells, and letters in them, that are still graded: the grader reads them all with nobody to stop
 #: it. The course's notebooks have a tenth of it.
 MOST_CELLS, MOST_LETTERS = 2000, 500_000
+#: Where a cell has its letters; the second in files of before 2014.
+TEXTS = ("source", "input")
 #: Files beside a notebook that are still looked at, and bytes of one that tell versions apart.
 MOST_BESIDE, MOST_COMPARED = 1000, 100_000_000
 #: What nbgrader leaves out when it copies a submission.
@@ -126,15 +128,12 @@ def demand_size(notebook: Mapping[str, Any]) -> None:
     """
     sheets = [notebook, *(s for s in _items(notebook, "worksheets") if isinstance(s, Mapping))]
     cells = [cell for sheet in sheets for cell in _items(sheet, "cells")]
-    letters = sum(len(str(c.get(k, ""))) for c in cells if isinstance(c, Mapping) for k in _TEXTS)
+    letters = sum(len(str(c.get(k, ""))) for c in cells if isinstance(c, Mapping) for k in TEXTS)
     if len(cells) > MOST_CELLS or letters > MOST_LETTERS:
         raise UnreadableError(
             f"The notebook has {len(cells)} cells with {letters} letters, which is too much to "
             "grade. Please keep your answers and remove what is not needed, and hand it in again."
         )
-
-
-_TEXTS = ("source", "input")  # the second in files of before 2014
 
 
 def _items(part: Mapping[str, Any], name: str) -> Sequence[Any]:
