@@ -131,11 +131,11 @@ def _alarm(timer: _Timer, seconds: float, bell: Bell) -> Iterator[None]:
             bell.rang = True
             raise TimeLimitReached
 
-    before, start = signal.signal(number, ring), timer.now()
-    outer, interval = signal.setitimer(which, seconds, AGAIN)
-    try:
-        if 0 < outer < seconds:
-            signal.setitimer(which, outer, AGAIN)
+    before, start = signal.getsignal(number), timer.now()
+    outer, interval = signal.getitimer(which)
+    try:  # a short time may be over before the next line
+        signal.signal(number, ring)
+        signal.setitimer(which, min(seconds, outer or seconds), AGAIN)
         yield
     finally:
         over = True  # before all else, so that no ring gets into it
