@@ -40,6 +40,18 @@ def test_lines_of_a_caption_end_between_two_settings(length):
     assert last.replace("\N{NO-BREAK SPACE}", " ").endswith("Aim: 5 °")
 
 
+def test_numbers_of_a_still_are_typeset_as_in_the_browser():
+    frame = Frame(
+        (Picture("Street", "", (80, 60), GREY),),
+        (Readout("Line", "l", "(0.3, -1, -.7)"), Readout("Photons", "", "27165.25")),
+    )
+    minus, gap = "\N{MINUS SIGN}", "\N{NARROW NO-BREAK SPACE}"
+    assert _caption(frame, "Look at: u-v = -4.00 px").split("\n") == [
+        f"Look at: u-v = {minus}4.00 px".replace(" ", "\N{NO-BREAK SPACE}"),
+        f"Line: (0.3, {minus}1, {minus}.7)   ·   Photons: 27{gap}165.25",
+    ]
+
+
 def test_every_ingredient_can_be_drawn():
     disk = Line([[0, 0], [9, 0], [9, 9]], "ray", closed=True, fill=0.4, dashed=True)
     labels = tuple(Label("x", (40, 30), "ink", anchor) for anchor in ("start", "middle", "end"))

@@ -57,7 +57,17 @@ def still(frame: Frame, settings: str = "") -> bytes:
 def _caption(frame: Frame, settings: str) -> str:
     """Return where the controls stand, in lines that part no value from its unit, and numbers."""
     unbroken = re.sub(r"(?<![,;]) ", "\N{NO-BREAK SPACE}", settings)
-    return "\n".join([*textwrap.wrap(unbroken, 115), *filter(None, [_numbers(frame)])])
+    lines = [*textwrap.wrap(unbroken, 115), *filter(None, [_numbers(frame)])]
+    return _typeset("\n".join(lines))
+
+
+def _typeset(text: str) -> str:
+    """Return a text with minus signs and groups of three, as the front end shows it."""
+    signed = re.sub(r"(?<![\w.)])-(?=\.?\d)", "\N{MINUS SIGN}", text)
+    gap = "\N{NARROW NO-BREAK SPACE}"
+    return re.sub(
+        r"(?<![\d.])\d{5,}(?!\d)", lambda found: f"{int(found[0]):,}".replace(",", gap), signed
+    )
 
 
 def _draw(axes: Axes, picture: Picture) -> None:
@@ -83,7 +93,7 @@ def _draw(axes: Axes, picture: Picture) -> None:
     for label in picture.labels:
         look = {"ha": ANCHORS[label.anchor], "va": "center", "fontsize": 7}
         look |= {"color": _colour(label.role), "path_effects": _halo(picture, 0)}
-        axes.text(*label.at, label.text, **look)
+        axes.text(*label.at, _typeset(label.text), **look)
 
 
 def _halo(picture: Picture, width: float) -> list[AbstractPathEffect]:
