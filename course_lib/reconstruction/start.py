@@ -9,7 +9,7 @@ import numpy as np
 
 from course_lib.bundle.block import Indices
 from course_lib.checks import Array, DegenerateConfigurationError
-from course_lib.epipolar import find_degeneracy, ransac_pose
+from course_lib.epipolar import ransac_pose
 from course_lib.triangulation import triangulate
 
 #: So many points must two pictures have in common, and agree.
@@ -78,7 +78,7 @@ def start_pairs(
         found = _looked_at(pixels, pictures, K, rng, threshold)
         if isinstance(found, str):
             lacking.append(found)
-        elif found.doubt or _is_flat(pixels, found, K, threshold):
+        elif found.doubt:
             doubtful.append(found)
         else:
             yield found
@@ -141,11 +141,6 @@ def angles_between(rays1: Array, rays2: Array) -> Array:
     """Return the angles between directions of any length, (..., 3), rad."""
     sine = np.linalg.norm(np.cross(rays1, rays2), axis=-1)
     return np.asarray(np.arctan2(sine, (rays1 * rays2).sum(axis=-1)))
-
-
-def _is_flat(pixels: Array, pair: Pair, K: Array, threshold: float) -> bool:
-    one, other = pixels[list(pair.pictures)][:, pair.agreed]
-    return find_degeneracy(one, other, threshold, K, K) == "plane"
 
 
 def first_points(pixels: Array, pair: Pair, K: Array) -> Array:

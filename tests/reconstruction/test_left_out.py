@@ -5,7 +5,7 @@ import pytest
 
 from course_lib.bundle import Block, Observations
 from course_lib.checks import DegenerateConfigurationError
-from course_lib.reconstruction import reconstruct
+from course_lib.reconstruction import reconstruct, start
 from course_lib.reconstruction.growth import Growth
 from course_lib.reconstruction.start import start_pairs
 from course_lib.transforms import rotation_from_vector
@@ -70,6 +70,19 @@ def test_a_step_that_fails_changes_nothing(known, monkeypatch):
         growth.place(picture)
     for name, value in before.items():
         np.testing.assert_array_equal(getattr(growth, name), value)
+
+
+def test_two_pictures_whose_pose_is_in_doubt_come_last(known, monkeypatch):
+    growth = Growth(known.observations, known.truth.K[0], rng(), 4.0)
+    found = iter(["another pose fits nearly as well", *[""] * start.LOOKED_AT])
+
+    def looked_at(pixels, pictures, *_):
+        return start.Pair(pictures, np.eye(3), np.zeros(3), (), (), next(found))
+
+    monkeypatch.setattr(start, "_looked_at", looked_at)
+    first, *_, last = start_pairs(growth.pixels, growth.K, rng(), 2.0)
+    assert not first.doubt
+    assert last.doubt
 
 
 def turned():
