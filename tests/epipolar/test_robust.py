@@ -70,6 +70,7 @@ def test_two_poses_of_a_plane_are_named(seed):
     s = scene(seed, count=100, plane=True, wrong=0.2)
     found = ransac_pose(s.points1, s.points2, K, K, rng(seed))
     assert "another pose fits nearly as well" in found.doubt
+    assert "the points are nearly on a plane" in found.doubt
     assert "spread over the picture and in depth" in found.doubt
 
 

@@ -85,7 +85,7 @@ class TestRuler:
         assert read_ruler([85.5, 0.7]) == (85.5, 0.7)
 
     @pytest.mark.parametrize(
-        ("ruler", "unit"), [(8.55, "cm"), (0.0855, "m"), (3.37, "inches"), (85.5, ""), (60.0, "")]
+        ("ruler", "unit"), [(8.55, "cm"), (0.0855, "m"), (3.37, "inches"), (85.5, ""), (7.5, "")]
     )
     def test_another_unit_is_asked_for(self, ruler, unit, heard):
         assert other_unit(ruler, 85.6) == unit

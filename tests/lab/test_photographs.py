@@ -8,6 +8,7 @@ import pytest
 
 from course_lib import lab
 from course_lib.boards import Checkerboard
+from course_lib.drawing.style import BLUE, rgb
 from course_lib.lab import photographs, supplied
 from course_lib.measuring import distance_in_space, distance_on_plane, rays_miss
 from data_generators import desk
@@ -48,7 +49,11 @@ def test_corners_are_marked_where_they_count(work):
     coloured = lambda picture: (picture[..., 0] != picture[..., 2]).sum()  # noqa: E731
     assert coloured(photographs.marked(photo)) > 54
     assert coloured(photographs.marked(replace(photo, used=False))) == 0
-    assert photographs.marked(photo, 160).shape == (120, 160, 3)
+    half = replace(photo, thumbnail=photo.thumbnail[::2, ::2])
+    for small in (photographs.marked(photo, 160), photographs.marked(half, 160)):
+        assert small.shape == (120, 160, 3)
+        for u, v in np.rint((photo.detection.points + 0.5) / 4 - 0.5).astype(int):
+            np.testing.assert_allclose(small[v, u], rgb(BLUE), atol=40)
     assert photographs.marked(torn) is None
 
 
