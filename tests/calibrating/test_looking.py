@@ -210,6 +210,10 @@ class TestReading:
         photo = look_at_photo(tmp_path / "a.png", BOARD)
         assert (photo.used, photo.problem) == (False, "file")
 
+    def test_as_many_pixels_as_phones_have(self, tmp_path):
+        Image.new("1", (16320, 12240)).save(tmp_path / "a.png", compress_level=1)
+        assert read_header(tmp_path / "a.png").size == (16320, 12240)
+
     def test_a_phone_of_a_hundred_megapixels(self, tmp_path):
         dark = np.indices((6, 8)).sum(axis=0) % 2 == 0
         squares = np.pad(
