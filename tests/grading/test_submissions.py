@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from course_lib.grading import submissions
 from course_lib.grading.parcels import shown
 from course_lib.grading.submissions import (
     MOST_BESIDE,
@@ -12,6 +13,7 @@ from course_lib.grading.submissions import (
     UnreadableError,
     all_beside,
     demand_size,
+    fingerprint,
     handed_in_at,
     read_notebook,
 )
@@ -91,3 +93,72 @@ def test_what_is_no_time_counts_as_none(tmp_path, content):
     assert handed_in_at(tmp_path) == "2026-11-01 10:00:00.5 UTC"
     stamp.write_bytes(content)
     assert handed_in_at(tmp_path) == ""
+
+
+@pytest.fixture
+def handed_in(tmp_path):
+    folder = tmp_path / "handed_in"
+    (folder / "deep").mkdir(parents=True)
+    for name in ("b.ipynb", "a.ipynb", "deep/helper.py"):
+        (folder / name).write_text(name)
+    return folder
+
+
+def mark(folder):
+    return fingerprint(folder, ["a", "b", "not handed in"])
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("a.ipynb", "A.ipynb"), ("deep/helper.py", "changed"), ("deep/other.py", ""),
+        ("b.ipynb", ""), ("picture.png", "dots"),
+    ],
+)  # fmt: skip
+def test_a_changed_or_new_file_makes_another_version(handed_in, name, content):
+    before = mark(handed_in)
+    (handed_in / name).write_text(content)
+    assert mark(handed_in) != before
+
+
+def test_a_file_under_another_name_makes_another_version(handed_in):
+    before = mark(handed_in)
+    (handed_in / "deep/helper.py").rename(handed_in / "deep/help.py")
+    assert mark(handed_in) != before
+
+
+@pytest.mark.parametrize(
+    "name", ["timestamp.txt", "submission_secret.txt", "deep/__pycache__/x.pyc", "draft.ipynb"]
+)
+def test_when_it_came_and_what_is_not_graded_makes_no_other_version(handed_in, name):
+    before = mark(handed_in)
+    (handed_in / name).parent.mkdir(exist_ok=True)
+    (handed_in / name).write_text("anything")
+    assert mark(handed_in) == before
+    assert fingerprint(handed_in, ("b", "a")) == before
+
+
+def test_links_are_not_followed_for_a_version(handed_in, tmp_path):
+    elsewhere = tmp_path / "elsewhere"
+    (handed_in / "a.ipynb").unlink()
+    for name in ("a.ipynb", "deep/link.py"):
+        (handed_in / name).symlink_to(elsewhere)
+    before = mark(handed_in)
+    elsewhere.write_text("somebody else's")
+    assert mark(handed_in) == before
+
+
+def test_what_cannot_be_read_has_a_version_and_of_a_huge_file_the_beginning_counts(
+    handed_in, monkeypatch
+):
+    monkeypatch.setattr(submissions, "MOST_COMPARED", 1)
+    (handed_in / "huge").write_bytes(bytes(3 << 20))
+    before = mark(handed_in)
+    (handed_in / "huge").write_bytes(bytes((3 << 20) - 1) + b"1")
+    assert mark(handed_in) == before
+
+    def refuse(*_):
+        raise PermissionError
+
+    monkeypatch.setattr(submissions, "_digest", refuse)
+    assert mark(handed_in) != before
