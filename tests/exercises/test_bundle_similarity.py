@@ -53,5 +53,6 @@ def test_pictures_as_the_library(rng, draw):
 
 
 def test_there_are_steps_that_rounding_spoils():
-    assert {83, 95, 105} <= set(inputs.ROUNDED_UP)
-    assert 36 in inputs.EXACT
+    assert {83, 95, 105} <= {count for count, _ in inputs.ROUNDED_UP}
+    assert (83, np.radians(360 / 83)) in inputs.ROUNDED_UP
+    assert (36, np.radians(360 / 36)) in inputs.EXACT

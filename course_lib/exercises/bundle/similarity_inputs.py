@@ -14,22 +14,30 @@ from course_lib.transforms import rotation_from_vector
 Inputs = dict[str, Any]
 Floats = NDArray[np.float64]
 
-#: Numbers of pictures for which 2π by the step comes out exact, and a hair too large.
-EXACT = tuple(n for n in range(12, 73) if 360 % n == 0 and 2 * np.pi / np.radians(360 / n) == n)
-ROUNDED_UP = tuple(n for n in range(20, 400) if 2 * np.pi / np.radians(360 / n) > n)
+#: So many pictures around a circle that nobody can have recorded the answers to all steps.
+COUNTS = range(14, 720)
+#: Shares of a circle as one may compute them, in ways that round differently.
+STEPS = [
+    (n, float(step))
+    for n in COUNTS
+    for step in (np.radians(360 / n), 2 * np.pi * (1 / n), 1 / (n / (2 * np.pi)))
+]
+#: Those into which 2π goes exactly so often, and a hair more often.
+EXACT = tuple((n, step) for n, step in STEPS if 2 * np.pi / step == n)
+ROUNDED_UP = tuple((n, step) for n, step in STEPS if 2 * np.pi / step > n)
 
 
 # --- pictures_for_circle ----------------------------------------------------------------------
 
 
 def steps_that_fill_the_circle(rng: Generator) -> Known:
-    count = int(rng.choice(EXACT))
-    return Known({"step": float(np.radians(360 / count))}, count)
+    count, step = EXACT[rng.integers(len(EXACT))]
+    return Known({"step": step}, count)
 
 
 def steps_with_a_rest(rng: Generator, low: float, high: float) -> Known:
     """Draw a step that goes into the circle a number of times, and a share of once more."""
-    whole = int(rng.integers(14, 60))
+    whole = int(rng.choice(COUNTS))
     return Known({"step": float(2 * np.pi / (whole + rng.uniform(low, high)))}, whole + 1)
 
 
@@ -42,8 +50,8 @@ def large_rest(rng: Generator) -> Known:
 
 
 def rounded_up(rng: Generator) -> Known:
-    count = int(rng.choice(ROUNDED_UP))
-    return Known({"step": float(np.radians(360 / count))}, count)
+    count, step = ROUNDED_UP[rng.integers(len(ROUNDED_UP))]
+    return Known({"step": step}, count)
 
 
 # --- similarity_transform ---------------------------------------------------------------------

@@ -56,7 +56,7 @@ def one_view(rng: Generator) -> tuple[Floats, Floats, Floats, Floats]:
 
 def landscape_board(rng: Generator) -> Inputs:
     rows = int(rng.integers(4, 7))
-    square = float(rng.choice([12.5, 20.6, 24.2, 30.4]))
+    square = float(np.round(rng.integers(12, 36) + rng.uniform(0.1, 0.9), 1))  # no whole number
     return {"columns": rows + int(rng.integers(1, 4)), "rows": rows, "square": square}
 
 
