@@ -42,6 +42,10 @@ def three_layers(image, pattern="RGGB"):
     return layers
 
 
+def one_place_a_square(image, pattern="RGGB"):
+    return laid(image[::2, ::2].repeat(2, axis=0).repeat(2, axis=1), pattern)
+
+
 def one_pixel_a_square(image, pattern="RGGB"):
     return laid(image, pattern)[::2, ::2]
 
@@ -124,6 +128,29 @@ def layers_first(mosaic):
 
 def other_side_of_the_picture(mosaic):
     return interpolated(mosaic, mode="wrap")
+
+
+def blue_below_red(mosaic):
+    """With the green pixels of the second row taken for blue ones."""
+    image = interpolated(mosaic)
+    image[..., 2] = interpolated(mosaic, "RGBG")[..., 2]
+    return image
+
+
+def all_colours_summed(mosaic):
+    """With the pixels of other colours in the sum, and not in what it is divided by."""
+    image = np.zeros((*mosaic.shape, 3))
+    for colour, corner in enumerate((1, 0, 1)):
+        weights = [(corner, 2, corner), (2, 4, 2), (corner, 2, corner)]
+        seen = np.zeros(mosaic.shape)
+        for i in range(4):
+            seen[i // 2 :: 2, i % 2 :: 2] = "RGB".index("RGGB"[i]) == colour
+        image[..., colour] = around(mosaic, weights, "constant") / around(seen, weights, "constant")
+    return image
+
+
+def green_layer_first(mosaic):
+    return interpolated(mosaic)[..., [1, 0, 2]]
 
 
 def grey_three_times(mosaic):

@@ -40,6 +40,10 @@ BAYER_MOSAIC = Exercise(
             wrong.one_pixel_a_square,
             "Does every pixel of the picture get its filter, or only one of four?",
         ),
+        Misconception(
+            wrong.one_place_a_square,
+            "All four pixels of your square look at one place. Where does each of them lie?",
+        ),
     ],
     forbidden=("cv2.cvtColor", "cv2.demosaicing"),
 )
@@ -87,6 +91,18 @@ DEMOSAIC_BILINEAR = Exercise(
         Misconception(
             wrong.other_side_of_the_picture,
             "What does a pixel at the left edge have to do with the right edge?",
+        ),
+        Misconception(
+            wrong.blue_below_red,
+            "The second row goes G B G B. In which of its columns have pixels seen blue?",
+        ),
+        Misconception(
+            wrong.all_colours_summed,
+            "Which pixels are in your sum for red: those that have seen red, or all?",
+        ),
+        Misconception(
+            wrong.green_layer_first,
+            "In which order should the three layers lie?",
         ),
         Misconception(
             wrong.grey_three_times,

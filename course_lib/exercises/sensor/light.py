@@ -90,6 +90,14 @@ EQUIVALENT_EXPOSURE = Exercise(
             wrong.stops_added,
             "Each stop doubles or halves the light. Do you add something to the seconds, or scale?",
         ),
+        Misconception(
+            wrong.only_the_factor,
+            "That says how many times longer the new exposure is. Longer than what?",
+        ),
+        Misconception(
+            wrong.one_f_number_squared,
+            "Keep the f-number as it is. Does your time stay as it was?",
+        ),
     ],
 )
 
@@ -159,6 +167,10 @@ SENSOR_RESPONSE = Exercise(
             wrong.dark_added_to_full_wells,
             "The well is full of light's electrons. Is there room for those of the dark current?",
         ),
+        Misconception(
+            wrong.larger_of_two,
+            "Three electrons in a pixel: does your well hold three, or is it full?",
+        ),
     ],
 )
 
@@ -219,6 +231,18 @@ SIGNAL_TO_NOISE = Exercise(
         Misconception(
             wrong.rounding_left_out,
             "One step of these numbers is many electrons. Is rounding to whole steps exact?",
+        ),
+        Misconception(
+            wrong.dark_noise_left_out,
+            "In a long exposure warmth frees electrons too. Where do you count their scatter?",
+        ),
+        Misconception(
+            wrong.noise_alone,
+            "That is the noise, in electrons. How many times larger than it is the signal?",
+        ),
+        Misconception(
+            wrong.root_of_the_first_only,
+            "Which noises stand under your root, and which ones outside of it?",
         ),
         Misconception(wrong.in_decibels, "Is a plain ratio asked for, or its logarithm?"),
     ],

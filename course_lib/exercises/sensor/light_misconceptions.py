@@ -80,6 +80,14 @@ def stops_added(t, N, N_new, iso=100, iso_new=100):
     return t + 2 * np.log2(N_new / N) - np.log2(iso_new / iso)
 
 
+def only_the_factor(t, N, N_new, iso=100, iso_new=100):
+    return (N_new / N) ** 2 * (iso / iso_new)
+
+
+def one_f_number_squared(t, N, N_new, iso=100, iso_new=100):
+    return t * N_new / N**2 * (iso / iso_new)
+
+
 # --- sensor_response --------------------------------------------------------------------------
 
 
@@ -165,6 +173,12 @@ def dark_without_time(photons, camera, exposure_time=0.0):
     return np.minimum(camera.gain * electrons + camera.offset, camera.white)
 
 
+def larger_of_two(photons, camera, exposure_time=0.0):
+    electrons = camera.quantum_efficiency * photons + camera.dark_current * exposure_time
+    electrons = np.maximum(electrons, camera.full_well)
+    return np.maximum(camera.gain * electrons + camera.offset, camera.white)
+
+
 # --- signal_to_noise --------------------------------------------------------------------------
 
 
@@ -212,6 +226,23 @@ def dark_squared(photons, camera, exposure_time=0.0):
 
 def shot_noise_only(photons, camera, exposure_time=0.0):
     return np.sqrt(camera.quantum_efficiency * photons)
+
+
+def dark_noise_left_out(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    return signal / np.sqrt(signal + camera.read_noise**2 + camera.quantisation_noise**2)
+
+
+def noise_alone(photons, camera, exposure_time=0.0):
+    dark = camera.dark_current * exposure_time
+    noise = camera.quantum_efficiency * photons + dark + camera.read_noise**2
+    return np.sqrt(noise + camera.quantisation_noise**2)
+
+
+def root_of_the_first_only(photons, camera, exposure_time=0.0):
+    signal = camera.quantum_efficiency * photons
+    fixed = camera.read_noise**2 + camera.quantisation_noise**2
+    return signal / np.sqrt(signal) + camera.dark_current * exposure_time + fixed
 
 
 def rounding_left_out(photons, camera, exposure_time=0.0):

@@ -62,6 +62,10 @@ ROLLING_SHUTTER_SKEW = Exercise(
             "That is the step from one row to the next. How many such steps lead to the bottom?",
         ),
         Misconception(
+            wrong.microseconds_converted,
+            "You convert the time of a row. In which unit does it come into your function?",
+        ),
+        Misconception(
             wrong.divided_by_row_time,
             "Suppose the sensor reads faster. Should the picture lean more, or less?",
         ),

@@ -54,6 +54,10 @@ def one_row_only(speed, row_time, rows):
     return speed * row_time
 
 
+def microseconds_converted(speed, row_time, rows):
+    return speed * row_time * 1e-6 * rows
+
+
 def divided_by_row_time(speed, row_time, rows):
     return speed / row_time * rows
 

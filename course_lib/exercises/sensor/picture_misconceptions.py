@@ -51,6 +51,15 @@ def always_8_bits(image, black=0, white=255):
     return np.array([(p.any(axis=2)).mean() for p in (pixels <= 0, pixels >= 255)])
 
 
+def divided_by_all_numbers(image, black=0, white=255):
+    pixels = image.reshape(*image.shape[:2], -1)
+    return np.array([p.any(axis=2).sum() for p in (pixels <= black, pixels >= white)]) / image.size
+
+
+def columns_for_colours(image, black=0, white=255):
+    return np.array([(p.any(axis=-1)).mean() for p in (image <= black, image >= white)])
+
+
 # --- flat_field -------------------------------------------------------------------------------
 
 
@@ -60,6 +69,26 @@ def dark_left_out(image, dark, flat):
 
 def dark_left_in_flat(image, dark, flat):
     return (image.astype(float) - dark) / flat * flat.mean(axis=(0, 1))
+
+
+def scaled_with_dark(image, dark, flat):
+    light = flat.astype(float) - dark
+    return (image.astype(float) - dark) / light * flat.mean(axis=(0, 1))
+
+
+def dark_left_in_image(image, dark, flat):
+    light = flat.astype(float) - dark
+    return image / light * light.mean(axis=(0, 1))
+
+
+def flat_multiplied(image, dark, flat):
+    light = flat.astype(float) - dark
+    return (image.astype(float) - dark) * light / light.mean(axis=(0, 1))
+
+
+def mean_of_rows_only(image, dark, flat):
+    light = flat.astype(float) - dark
+    return (image.astype(float) - dark) / light * light.mean(axis=0)
 
 
 def not_scaled_back(image, dark, flat):

@@ -111,6 +111,14 @@ CLIPPED_FRACTION = Exercise(
             wrong.always_8_bits,
             "Not all cameras end at the same number. Which arguments tell you where this one does?",
         ),
+        Misconception(
+            wrong.divided_by_all_numbers,
+            "A picture of colours has three numbers a pixel. By which of the two do you divide?",
+        ),
+        Misconception(
+            wrong.columns_for_colours,
+            "Over which axis do you ask for any in a grey picture? What lies along it?",
+        ),
     ],
 )
 
@@ -139,6 +147,22 @@ FLAT_FIELD = Exercise(
         Misconception(
             wrong.dark_left_in_flat,
             "The flat picture was taken with the same sensor. What else is in it than light?",
+        ),
+        Misconception(
+            wrong.scaled_with_dark,
+            "You scale with the mean of the flat picture. Is all of that mean light?",
+        ),
+        Misconception(
+            wrong.dark_left_in_image,
+            "The flat picture has lost what is there without light. Has the picture itself?",
+        ),
+        Misconception(
+            wrong.flat_multiplied,
+            "Dark corners should get brighter. Do they, if you multiply by the flat picture?",
+        ),
+        Misconception(
+            wrong.mean_of_rows_only,
+            "How many means of a grey picture are there: one, or one for each column?",
         ),
         Misconception(
             wrong.not_scaled_back,
