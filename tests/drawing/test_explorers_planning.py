@@ -168,6 +168,17 @@ def test_a_camera_without_any_lens_says_so():
         flight_planner(MY_CAMERA)
 
 
+def test_a_camera_flies_with_ones_own_lens_before_those_of_the_catalogue():
+    body, glass = site.drone()
+    own = replace(body, name="Mine"), replace(glass, name="Mine", f_mm=2 * glass.f_mm)
+    planner = flight_planner(*own)
+    heights = []
+    for camera in (body.name, "Mine"):
+        planner.set(camera=camera)
+        heights.append(float(value(planner.frame_now(), "Height")))
+    assert heights[1] == pytest.approx(2 * heights[0], abs=1.5)
+
+
 @pytest.mark.parametrize("wrong", [7, [MY_CAMERA], ["Mine"]])
 def test_what_is_no_lens_is_refused_in_a_sentence(wrong):
     with pytest.raises(TypeError, match="lenses must be of LensModel or a table's file name"):
@@ -186,6 +197,7 @@ def test_every_camera_with_every_lens_everywhere(camera, lens):
                 bench.PIXELS_SIZE,
                 bench.TABLE_SIZE,
             ]
+            assert "e+" not in frame.pictures[2].alt  # no power of ten
 
 
 # Plan a flight
