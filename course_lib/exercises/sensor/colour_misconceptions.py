@@ -140,8 +140,8 @@ def blue_below_red(mosaic):
 def all_colours_summed(mosaic):
     """With the pixels of other colours in the sum, and not in what it is divided by."""
     image = np.zeros((*mosaic.shape, 3))
-    for colour, corner in enumerate((1, 0, 1)):
-        weights = [(corner, 2, corner), (2, 4, 2), (corner, 2, corner)]
+    for colour, (corner, side) in enumerate([(1, 2), (0, 1), (1, 2)]):
+        weights = [(corner, side, corner), (side, 4, side), (corner, side, corner)]
         seen = np.zeros(mosaic.shape)
         for i in range(4):
             seen[i // 2 :: 2, i % 2 :: 2] = "RGB".index("RGGB"[i]) == colour

@@ -36,6 +36,12 @@ def dark_not_subtracted(first, second, dark_first, dark_second, white):
     return slope(mean + dark_first.mean(), variance, good)
 
 
+def dark_noise_not_subtracted(first, second, dark_first, dark_second, white):
+    mean, variance, good = transfer(first, second, dark_first, dark_second, white)
+    dark = (dark_first.astype(float) - dark_second).var() / 2
+    return slope(mean, variance + dark, good)
+
+
 def saturated_pairs_kept(first, second, dark_first, dark_second, white):
     mean, variance, good = transfer(first, second, dark_first, dark_second, white)
     return slope(mean, variance, np.ones_like(good))

@@ -32,6 +32,11 @@ CAMERA_GAIN_FROM_PAIRS = Exercise(
             "Without light the numbers are not zero. Do those DN come from electrons of light?",
         ),
         Misconception(
+            gain_wrong.dark_noise_not_subtracted,
+            "The dark pictures are noisy too. Is that noise made by electrons of light?",
+            compare=Close(rtol=0.01, atol=0),
+        ),
+        Misconception(
             gain_wrong.saturated_pairs_kept,
             "A white picture has no noise at all. Should it tell you about electrons?",
             also=[gain_wrong.line_through_saturated_pairs],
@@ -113,7 +118,7 @@ CLIPPED_FRACTION = Exercise(
         ),
         Misconception(
             wrong.divided_by_all_numbers,
-            "A picture of colours has three numbers a pixel. By which of the two do you divide?",
+            "Do you divide by how many pixels a picture in colour has, or by how many numbers?",
         ),
         Misconception(
             wrong.columns_for_colours,
