@@ -46,6 +46,22 @@ class Killed(BaseException):
     """What a kill is to a program: nothing handles it."""
 
 
+def test_ended_before_a_new_version_took_its_place_it_is_done_again(assignment, monkeypatch):
+    def end(*_):
+        raise Killed
+
+    save(assignment, graded(assignment))
+    (assignment.submitted("right") / "helper.py").write_text("factor = 1")
+    with monkeypatch.context() as patch:
+        patch.setattr(Recorder, "_put_in_place", end)
+        with pytest.raises(Killed):
+            save(assignment, graded(assignment))
+    assert not is_graded(assignment, "right")
+    save(assignment, graded(assignment))
+    assert is_graded(assignment, "right")
+    assert (assignment.autograded("right") / "helper.py").exists()
+
+
 @pytest.mark.parametrize("step", ["copy_beside", "_penalize", "_write", "_put_in_place"])
 def test_ended_between_any_two_steps_it_is_done_again(assignment, step, monkeypatch):
     def end(*_):
@@ -135,6 +151,11 @@ def test_handed_in_again_unchanged_it_gets_the_new_time_and_its_penalty(due, mon
         (due.submitted("right") / "timestamp.txt").unlink()  # as if it had come by mail
         assert recorder.note_time("right")
         assert not recorder.note_time("right")
+        hand_in_at(due, late)  # at the time that it had before
+        assert recorder.note_time("right")
+        assert time_and_score(due) == ("2026-10-02 13:00:00", 0.0)
+        (due.submitted("right") / "timestamp.txt").unlink()
+        assert recorder.note_time("right")
     assert time_and_score(due) == ("None", 4.0)
     assert is_graded(due, "right")
 
