@@ -160,6 +160,14 @@ def same_shape(yours: ArrayLike | None, expected: Floats) -> Floats | None:
     return drawable if drawable.shape == np.shape(expected) else None
 
 
+def in_figures(number: float, digits: int) -> str:
+    """Return a student's number with `digits` after the point; a huge one by its power of ten.
+
+    Written out, 1e100 would be wider than any figure.
+    """
+    return f"{number:.{digits}f}" if abs(number) < 1e7 else f"{number:.1e}"
+
+
 def picture_frame(ax: Axes, size: tuple[int, int]) -> None:
     """Turn `ax` into a picture of `size` (width, height) px, with v down."""
     width, height = size

@@ -63,7 +63,7 @@ NO_FIGURES |= {"opencv_calibration", "tilted_views", "with_dots", "without_lens"
 @pytest.fixture(scope="module", params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
-    drawn.canvas.draw()
+    drawn.draw_without_rendering()
     return drawn
 
 
@@ -91,14 +91,14 @@ def test_every_function_is_tried_here():
 )
 def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
     figure = draw.residual_arrows(PICTURES[0], PIXELS[0], yours)
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     assert written(figure.axes[0]) == ["no answer yet"]
 
 
 @pytest.mark.parametrize("pose", [None, (np.eye(3), np.full(3, np.nan))])
 def test_a_pose_that_is_none_is_not_drawn(pose):
     figure = draw.board_poses(FOUND.K, [*FOUND.poses[:5], pose, *FOUND.poses[6:]])
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     numbers = [text for text in written(figure.axes[0]) if text.isdigit()]
     assert sorted(numbers) == ["4", "6", "9"]
 

@@ -113,3 +113,11 @@ def test_other_shapes_are_not_drawn(yours):
 def test_the_same_shape_is_drawn():
     drawn = diagrams.same_shape([[1, 2], [3, 4]], np.zeros((2, 2)))
     np.testing.assert_array_equal(drawn, [[1, 2], [3, 4]])
+
+
+@pytest.mark.parametrize(
+    ("number", "words"),
+    [(12.344, "12.34"), (-3.0, "-3.00"), (1e100, "1.0e+100"), (-2e7, "-2.0e+07")],
+)
+def test_a_huge_number_is_as_short_as_another(number, words):
+    assert diagrams.in_figures(number, 2) == words

@@ -43,7 +43,7 @@ FIGURES = {
 @pytest.fixture(params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
-    drawn.canvas.draw()
+    drawn.draw_without_rendering()
     return drawn
 
 
@@ -61,12 +61,12 @@ def test_every_function_is_tried_here():
 )
 def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
     picture, _, lines = straightened()
-    draw.moved_points(GRID, LENS, yours).canvas.draw()
-    draw.before_and_after(picture, yours, lines).canvas.draw()
-    draw.fisheye_street(yours).canvas.draw()
-    draw.straightened_rails([yours] * 3, [yours] * 3).canvas.draw()
-    draw.straightened_rails(ideal_rails(), [yours] * 3).canvas.draw()
-    draw.profiles([(-0.31, 0), (-0.5, 0.1)], yours=[yours, yours]).canvas.draw()
+    draw.moved_points(GRID, LENS, yours).draw_without_rendering()
+    draw.before_and_after(picture, yours, lines).draw_without_rendering()
+    draw.fisheye_street(yours).draw_without_rendering()
+    draw.straightened_rails([yours] * 3, [yours] * 3).draw_without_rendering()
+    draw.straightened_rails(ideal_rails(), [yours] * 3).draw_without_rendering()
+    draw.profiles([(-0.31, 0), (-0.5, 0.1)], yours=[yours, yours]).draw_without_rendering()
 
 
 # What they show

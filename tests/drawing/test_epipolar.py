@@ -46,7 +46,7 @@ NO_FIGURES |= {"of_rank_three", "street_points", "two_halves", "judged_matrix", 
 @pytest.fixture(scope="module", params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
-    drawn.canvas.draw()
+    drawn.draw_without_rendering()
     return drawn
 
 
@@ -74,7 +74,7 @@ def test_every_function_is_tried_here():
 @pytest.mark.parametrize("yours", [None, "line", [1, 2, 3], {}, np.zeros((5, 2)), 1j * LINES])
 def test_lines_that_are_none_are_not_drawn(yours):
     figure = draw.lines_of_points(yours)
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     assert "no answer yet" in written(figure.axes[1])
     assert not [
         line for role in ("camera", "ray") for line in lines(figure.axes[1], role) if len(line) == 2
@@ -84,13 +84,13 @@ def test_lines_that_are_none_are_not_drawn(yours):
 @pytest.mark.parametrize("bad", [np.nan, np.inf, 0.0])
 def test_lines_without_a_place_are_counted(bad):
     figure = draw.lines_of_points(np.where(np.arange(5)[:, None] == 2, bad, LINES))
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     assert "1 of 5 lines miss the picture" in written(figure.axes[1])
 
 
 def test_lines_in_the_wrong_picture_are_drawn_where_they_are():
     figure = draw.lines_of_points(epi.epipolar_lines(LEFT, F.T))
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     (stroke,) = (line for line in lines(figure.axes[1], "camera") if len(line) == 2)
     assert epi.line_distance(RIGHT[0], np.cross(*np.column_stack([stroke, [1, 1]]))) > 5
 
@@ -128,7 +128,7 @@ def test_a_matrix_without_lines_is_said_to_be_one(bad):
 )
 def test_whatever_the_epipole_a_sentence_says_where_it_is(yours, words):
     figure = draw.forward(yours)
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     assert written(figure.axes[0])[-1] == words
 
 

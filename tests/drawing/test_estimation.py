@@ -61,7 +61,7 @@ NO_FIGURES |= {"building", "found", "outer_four", "readings", "rendered_building
 @pytest.fixture(scope="module", params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
-    drawn.canvas.draw()
+    drawn.draw_without_rendering()
     return drawn
 
 
@@ -99,12 +99,12 @@ def test_every_function_is_tried_here():
     "yours", [None, "left", [1, 2, 3], np.full((3, 3), np.nan), {}, np.zeros(2)]
 )
 def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
-    draw.one_unknown(yours=yours).canvas.draw()
-    draw.strain_line(yours=yours).canvas.draw()
-    draw.misses({"yours": yours}, draw.GOALS).canvas.draw()
-    draw.straightened(WALL, yours).canvas.draw()
-    draw.calibration_object(PIXELS, yours).canvas.draw()
-    draw.correction(yours).canvas.draw()
+    draw.one_unknown(yours=yours).draw_without_rendering()
+    draw.strain_line(yours=yours).draw_without_rendering()
+    draw.misses({"yours": yours}, draw.GOALS).draw_without_rendering()
+    draw.straightened(WALL, yours).draw_without_rendering()
+    draw.calibration_object(PIXELS, yours).draw_without_rendering()
+    draw.correction(yours).draw_without_rendering()
 
 
 @pytest.mark.parametrize("H", [np.ones((3, 3)), 1e200 * np.eye(3), np.diag([1, 1, 1e-15])])
@@ -132,7 +132,7 @@ def test_points_go_through_a_students_homography():
 )
 def test_a_matrix_that_is_no_camera_is_named(matrix, title):
     figure = draw.calibration_object(PIXELS, matrix)
-    figure.canvas.draw()
+    figure.draw_without_rendering()
     assert figure.axes[0].get_title(loc="left") == title
 
 

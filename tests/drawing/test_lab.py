@@ -64,7 +64,7 @@ FIGURES = {
 @pytest.fixture(scope="module", params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
-    drawn.canvas.draw()
+    drawn.draw_without_rendering()
     return drawn
 
 

@@ -44,7 +44,7 @@ FIGURES = {
 @pytest.fixture(params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
-    drawn.canvas.draw()
+    drawn.draw_without_rendering()
     return drawn
 
 
@@ -58,12 +58,12 @@ def test_every_function_is_tried_here():
 
 @pytest.mark.parametrize("yours", [None, "left", [1, 2, 3, 4], np.full(2, np.nan), {}, (1, -5)])
 def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
-    draw.image_against_object(85, [100, 200], yours=yours).canvas.draw()
-    draw.blur_against_distance(yours=yours).canvas.draw()
-    draw.ranges(yours=[yours] * 5).canvas.draw()
-    draw.closeup(yours=yours).canvas.draw()
-    draw.aperture_branches(yours=yours).canvas.draw()
-    draw.zoom(yours=[yours] * 3).canvas.draw()
+    draw.image_against_object(85, [100, 200], yours=yours).draw_without_rendering()
+    draw.blur_against_distance(yours=yours).draw_without_rendering()
+    draw.ranges(yours=[yours] * 5).draw_without_rendering()
+    draw.closeup(yours=yours).draw_without_rendering()
+    draw.aperture_branches(yours=yours).draw_without_rendering()
+    draw.zoom(yours=[yours] * 3).draw_without_rendering()
 
 
 def lines(figure, colour):

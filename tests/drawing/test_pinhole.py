@@ -51,7 +51,7 @@ NO_FIGURES = {"SENSORS", "house", "road_direction", "street_view"}
 @pytest.fixture(params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
-    drawn.canvas.draw()
+    drawn.draw_without_rendering()
     return drawn
 
 
@@ -65,11 +65,11 @@ def test_every_function_is_tried_here():
 
 @pytest.mark.parametrize("yours", [None, "left", [1, 2], np.full((10, 2), np.nan), {}])
 def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
-    draw.house_picture(draw.house(), 800, C, yours=yours).canvas.draw()
-    draw.blur_against_hole(yours=yours).canvas.draw()
-    draw.lens_fan(yours=yours).canvas.draw()
-    draw.dolly_strip(yours=yours).canvas.draw()
-    draw.street_lines(draw.street_view(14), yours=yours).canvas.draw()
+    draw.house_picture(draw.house(), 800, C, yours=yours).draw_without_rendering()
+    draw.blur_against_hole(yours=yours).draw_without_rendering()
+    draw.lens_fan(yours=yours).draw_without_rendering()
+    draw.dolly_strip(yours=yours).draw_without_rendering()
+    draw.street_lines(draw.street_view(14), yours=yours).draw_without_rendering()
 
 
 def lines(figure, role):

@@ -32,7 +32,7 @@ NO_FIGURES |= {"in_area", "limits", "pair", "panel_task", "stand"}
 @pytest.fixture(scope="module", params=FIGURES)
 def figure(request):
     drawn = FIGURES[request.param]()
-    drawn.canvas.draw()
+    drawn.draw_without_rendering()
     return drawn
 
 

@@ -51,7 +51,7 @@ def run(cell: str, scope: dict[str, Any]) -> None:
     exec(compile(tree, "cell", "exec"), scope)
     shown = eval(compile(ast.Expression(last.value), "cell", "eval"), scope) if last else None
     if hasattr(shown, "canvas"):
-        shown.canvas.draw()
+        shown.draw_without_rendering()
 
 
 def test_lessons_are_found() -> None:

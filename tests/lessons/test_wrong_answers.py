@@ -45,7 +45,7 @@ def run(cell, scope):
     exec(compile(tree, "cell", "exec"), scope)
     shown = eval(compile(ast.Expression(last.value), "cell", "eval"), scope) if last else None
     if hasattr(shown, "canvas"):
-        shown.canvas.draw()
+        shown.draw_without_rendering()
 
 
 def filled(exercise, number):

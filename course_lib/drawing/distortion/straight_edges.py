@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from course_lib.drawing.diagrams import (
     Floats,
     figure,
+    in_figures,
     panels,
     picture_frame,
     same_shape,
@@ -84,7 +85,7 @@ def _of(number: int, rms: Sequence[float | None] | None) -> str:
     """Return a student's straightness of a rail in words, if there is one."""
     given = rms[number] if rms is not None and number < len(rms) else None
     value = same_shape(given, np.zeros(()))
-    return "" if value is None else f"RMS {float(value):.2f} px"
+    return "" if value is None else f"RMS {in_figures(float(value), 2)} px"
 
 
 def _with_edges(

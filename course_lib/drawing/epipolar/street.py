@@ -7,7 +7,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
+from course_lib.drawing.diagrams import (
+    Floats,
+    figure,
+    in_figures,
+    panels,
+    picture_frame,
+    same_shape,
+    write,
+)
 from course_lib.drawing.explorers.pairs import (
     AHEAD,
     TOWARDS,
@@ -176,7 +184,9 @@ def forward(e: ArrayLike | None) -> Figure:
     if yours is None or not np.isfinite(yours).all():
         write(first, size * (0.5, 0.94), "no epipole yet", bbox=PAPER, fontsize=10)
     elif ((yours < 0) | (yours > size)).any():
-        words = f"your epipole is outside: ({yours[0]:.0f}, {yours[1]:.0f}) px"
+        words = (
+            f"your epipole is outside: ({in_figures(yours[0], 0)}, {in_figures(yours[1], 0)}) px"
+        )
         write(first, size * (0.5, 0.94), words, bbox=PAPER, fontsize=10)
     else:
         first.plot(*yours, "*", color=ROLES["object"], ms=17, mec="white")

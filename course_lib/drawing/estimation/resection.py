@@ -9,7 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from course_lib.camera.projection import project
-from course_lib.drawing.diagrams import Floats, figure, panels, picture_frame, same_shape, write
+from course_lib.drawing.diagrams import (
+    Floats,
+    figure,
+    in_figures,
+    panels,
+    picture_frame,
+    same_shape,
+    write,
+)
 from course_lib.drawing.estimation.table import SIGMA
 from course_lib.drawing.style import BLACK, FULL_WIDTH, GREY, LIGHT, ROLES
 from course_lib.homogeneous import apply_homography
@@ -73,11 +81,11 @@ def _projected(axes: Floats, P: Floats, pixels: Floats) -> str:
     for name, tip in zip("xyz", tips, strict=True):
         if np.isfinite([origin, tip]).all():
             axes[0].plot(*np.array([origin, tip]).T, color=ROLES["second"], lw=2)
-            axes[0].text(*tip, f"${name}$", color="white", fontsize=12)
+            axes[0].text(*tip, f"${name}$", color="white", fontsize=12, clip_on=True)
     rms = np.sqrt(((seen - pixels) ** 2).sum(axis=1).mean())
     if np.isnan(rms):
         return "P has dots behind the camera"
-    return f"rings: P, {rms:.2f} px from the dots"
+    return f"rings: P, {in_figures(rms, 2)} px from the dots"
 
 
 @figure("A correction table: an arrow for each of its cells, drawn {times:g} times as long.")

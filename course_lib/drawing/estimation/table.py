@@ -14,6 +14,7 @@ from course_lib.drawing.diagrams import (
     dimension,
     figure,
     fit,
+    in_figures,
     panels,
     picture_frame,
     same_shape,
@@ -134,7 +135,7 @@ def _how_far(miss: Floats, places: Floats) -> str:
     high = _are_high(places)
     groups = {"table": miss[~high], "block": miss[high]} if high.any() else {"": miss}
     sizes = {name: np.sqrt((m**2).sum(axis=1).mean()) for name, m in groups.items()}
-    words = [f"{n} {s:.{1 if s >= 10 else 2}f}".strip() for n, s in sizes.items()]
+    words = [f"{n} {in_figures(s, 1 if s >= 10 else 2)}".strip() for n, s in sizes.items()]
     return ", ".join(words) + " mm"
 
 

@@ -12,6 +12,7 @@ from course_lib.drawing.diagrams import (
     dimension,
     figure,
     fit,
+    in_figures,
     panels,
     same_shape,
     sketch,
@@ -165,9 +166,9 @@ def _yours(ax: Axes, d: float, yours: ArrayLike | None, right: float) -> None:
     drawn = same_shape(yours, np.zeros(3))
     if drawn is None or not np.isfinite(drawn).all():
         return
-    place, words = d + drawn[2] + drawn[0], f"yours: {drawn[0]:.0f} mm"
+    place, words = d + drawn[2] + drawn[0], f"yours: {in_figures(drawn[0], 0)} mm"
     if -20 < place < right:
         ax.plot(place, 0, "*", color=ROLES["second"], ms=15, zorder=5)
     else:
-        words += f",\nits focus at {place:.0f} mm"
+        words += f",\nits focus at {in_figures(place, 0)} mm"
     write(ax, (-27, -8), words.replace("-", "−"), ha="right", va="top", fontsize=10)

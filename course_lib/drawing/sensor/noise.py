@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from course_lib.drawing.diagrams import figure, panels, same_shape
+from course_lib.drawing.diagrams import figure, in_figures, panels, same_shape
 from course_lib.drawing.sensor.screen import picture
 from course_lib.drawing.style import BLUE, FULL_WIDTH, GREEN, GREY, ORANGE, RED, ROLES
 from course_lib.sensor import SensorModel, sensor_response, signal_to_noise
@@ -157,7 +157,7 @@ def photon_transfer(pairs: Pairs, white: float, gain: float | None = None) -> Fi
     slope = same_shape(gain, np.array(0.0))
     if slope is not None and np.isfinite(slope):
         x = np.array([0, mean.max()])
-        label = f"your gain: {float(slope):.3f} DN per electron"
+        label = f"your gain: {in_figures(float(slope), 3)} DN per electron"
         ax.plot(x, float(slope) * x, color=ROLES["second"], lw=2, label=label)
     ax.legend(loc="upper left")
     return fig

@@ -203,7 +203,7 @@ def skewed_pole(
         A picture of 320 × 480 px; the dashed line starts at the pole's top and ends where the
         student's number says.
     """
-    from course_lib.drawing.diagrams import picture_frame, same_shape
+    from course_lib.drawing.diagrams import in_figures, picture_frame, same_shape
     from course_lib.sensor import rolling_shutter_skew
 
     width, height = 480, 320
@@ -221,5 +221,5 @@ def skewed_pole(
     drawn = same_shape(yours, np.array(skew))
     if drawn is not None and np.isfinite(drawn):
         stroke(ax, [(200, 0), (200 + float(drawn), height - 1)], "second", lw=2.5, ls=(0, (5, 3)))
-        write(ax, (330, 250), f"your skew: {float(drawn):.1f} px")
+        write(ax, (330, 250), f"your skew: {in_figures(float(drawn), 1)} px")
     return fig
