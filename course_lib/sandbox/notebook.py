@@ -34,8 +34,8 @@ from course_lib.sandbox.limits import Allowance
 FOLDER = "/tmp/notebook"
 LATE = "This cell was stopped after {:g} seconds of computing, or {:g} by the clock."
 ALL_LATE = (
-    "This cell was stopped because all cells together had taken {:g} seconds by the clock. Which "
-    "of them takes so long?"
+    "This cell was stopped after all cells together had taken {:g} seconds by the clock. Which of "
+    "them takes so long?"
 )
 
 

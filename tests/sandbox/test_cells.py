@@ -43,7 +43,7 @@ def test_a_cell_may_compute_so_long_and_wait_a_little_longer():
     stopped = "This cell was stopped after 0.3 seconds of computing, or 0.6 by the clock."
     assert said == dict.fromkeys(said, stopped)
     assert late == {
-        "This cell was stopped because all cells together had taken 180 seconds by the clock. "
+        "This cell was stopped after all cells together had taken 180 seconds by the clock. "
         "Which of them takes so long?"
     }
 
