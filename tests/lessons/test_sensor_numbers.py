@@ -188,11 +188,16 @@ def test_back_to_the_belt():
     assert pytest.approx(16_700, abs=50) == 10_000 / 0.6
     assert 16_667 / dim == pytest.approx(49, abs=0.2)
     model = sensor.SensorModel(full_well=20_000, read_noise=6, gain=exposure.SENSOR.gain)
-    lux = np.array([24_600, 25_000])
+    lux = np.array([49 * 500, 25_000])
     enough = sensor.signal_to_noise(dim * lux / 500, model)
     assert enough == pytest.approx([100, 101], abs=0.5)
     assert readings(t, 4, 100, 25_000, 800)["Signal to noise, label"] == 101
-    says("16\\,700$ photons: 49 times as many", "24 600 lx", "an SNR of 101", "340 photons")
+    says(
+        "16\\,700$ photons: 49 times as many",
+        "$49\\cdot 500 = 24\\,500$ lx",
+        "an SNR of 101",
+        "340 photons",
+    )
     says("a quarter of full sunlight (about 100 000 lx)")
     assert f"read_noise=6, gain={exposure.SENSOR.gain:g})" in TEXT
     assert pytest.approx(0.182) == 0.2 * 455 / 500
