@@ -87,7 +87,8 @@ def test_every_function_is_tried_here():
 
 
 @pytest.mark.parametrize(
-    "yours", [None, "left", [1, 2, 3], np.full((54, 2), np.nan), {}, np.zeros(2)]
+    "yours",
+    [None, "left", [1, 2, 3], np.full((54, 2), np.nan), np.full((54, 2), 1e200), {}, np.zeros(2)],
 )
 def test_what_a_student_cannot_have_meant_is_not_drawn_or_does_no_harm(yours):
     figure = draw.residual_arrows(PICTURES[0], PIXELS[0], yours)
@@ -246,6 +247,13 @@ def test_steps_along_the_derivatives_come_to_the_librarys_minimum():
     assert np.abs(slope).max() < 1e-3
     sigma = np.sqrt(np.diag(parameter_covariance(J, residuals)))[: stepping.CAMERA]
     np.testing.assert_allclose(sigma, list(best.sigma.values()), rtol=1e-4)
+
+
+def test_a_board_behind_the_camera_has_no_derivatives():
+    numbers = draw.packed(*_camera_and_lens(FOUND), FOUND.poses)
+    numbers[stepping.CAMERA + 5] = -500  # z of the first view
+    with pytest.raises(ValueError, match="corners of the board lie behind the camera"):
+        draw.residuals_and_derivatives(numbers, PIXELS)
 
 
 def _camera_and_lens(found):
