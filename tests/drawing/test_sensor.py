@@ -199,6 +199,13 @@ def test_only_the_hue_finds_the_brass():
     assert nuts == pytest.approx(2 * (1.5 * np.sqrt(3) * corner**2 - np.pi * hole**2), rel=0.08)
 
 
+def test_the_titles_of_the_colour_spaces_stay_above_their_own_pictures():
+    figure = draw.colour_spaces(draw.dimmed_belt())
+    figure.canvas.draw()
+    for ax in figure.axes:
+        assert ax._left_title.get_window_extent().x1 <= ax.get_window_extent().x1 + 1
+
+
 def test_the_raw_picture_has_the_facts_of_the_real_one():
     raw = draw.computed_raw()
     assert raw.shape == (512, 768)

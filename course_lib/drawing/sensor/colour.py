@@ -230,7 +230,7 @@ def colour_spaces(light: ArrayLike) -> Figure:
     rgb = shown(light)
     hsv = hsv_from_rgb(rgb)
     fig, axes = panels(2, 4, (FULL_WIDTH, 3.2))
-    picture(axes[0, 0], rgb, "picture, dim on the right")
+    picture(axes[0, 0], rgb, "dim on the right")
     for ax, channel, name in zip(axes[0, 1:], np.moveaxis(rgb, 2, 0), "RGB", strict=True):
         picture(ax, channel, name)
     _scales(axes[1, 0])
