@@ -58,7 +58,8 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
         self._state: dict[str, Value] = {c.name: c.nearest(c.default) for c in controls}
         self._count, self._raw = 0, False
         self._before: Frame | None = None
-        # JupyterLab delivers widget messages on a thread of their own.
+        # JupyterLab delivers widget messages on a thread of their own. Answers leave in the order
+        # in which they were made: a frame names only what is new since the one before.
         self._lock = threading.Lock()
         message, buffers = self._answer({})
         super().__init__(
@@ -91,8 +92,8 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
             raise ValueError(f"no control named {', '.join(unknown)}; there are {names}")
         if refused := [why for n, v in state.items() if (why := self._controls[n].refusal(v))]:
             raise ValueError("; ".join(refused))
-        message, buffers = self._answer(state)
-        self.send(message, buffers)
+        with self._lock:
+            self.send(*self._answer(state))
 
     def reset(self) -> None:
         """Move every control back to its default."""
@@ -104,26 +105,26 @@ class Explorer(anywidget.AnyWidget):  # type: ignore[misc]
 
     def _receive(self, _: object, content: Mapping[str, Any], __: object) -> None:
         """Answer a message of a view: its state, or only ``hello``."""
-        self._raw = bool(content.get("raw"))
-        if "state" not in content:  # a new view has nothing yet
-            self._before = None
-        message, buffers = self._answer(content.get("state") or {})
         mine = {"view": content.get("view"), "seq": content.get("seq")}
-        self.send(message | mine, buffers)
+        with self._lock:
+            self._raw = bool(content.get("raw"))
+            if "state" not in content:  # a new view has nothing yet
+                self._before = None
+            message, buffers = self._answer(content.get("state") or {})
+            self.send(message | mine, buffers)
 
     def _answer(self, changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[bytes]]:
         """Move the controls, draw, and return the numbered frame, or why there is none."""
-        with self._lock:
-            self._move(changes)
-            self._count += 1
-            try:
-                frame = self.frame_now()
-                self._move(frame.follows)
-                message, buffers = encode_frame(frame, self._raw, self._before)
-                self._before = frame
-            except Exception as error:  # a frame function may fail in any way; the reader is told
-                message, buffers = {"error": self._sentence(error)}, []
-            return {"count": self._count, "state": self.state} | message, buffers
+        self._move(changes)
+        self._count += 1
+        try:
+            frame = self.frame_now()
+            self._move(frame.follows)
+            message, buffers = encode_frame(frame, self._raw, self._before)
+            self._before = frame
+        except Exception as error:  # a frame function may fail in any way; the reader is told
+            message, buffers = {"error": self._sentence(error)}, []
+        return {"count": self._count, "state": self.state} | message, buffers
 
     def _move(self, changes: Mapping[str, Any]) -> None:
         """Move controls to the positions nearest to the values in `changes`."""

@@ -139,6 +139,21 @@ def test_readers_without_a_kernel_learn_of_an_error_too(explorer):
     assert "text/html" not in data
 
 
+def test_answers_of_two_threads_leave_in_the_order_in_which_they_were_made():
+    class Slow(Recorded):
+        def send(self, content, buffers=None):
+            if content["state"]["f"] == 20:
+                other.start()
+                other.join(timeout=0.2)  # now it could overtake
+            super().send(content, buffers)
+
+    explorer = Slow("Test bench", CONTROLS, frame)
+    other = threading.Thread(target=explorer.hear, kwargs={"state": {"f": 60}})
+    explorer.set(f=20)
+    other.join()
+    assert [content["count"] for content, _ in explorer.sent] == [2, 3]
+
+
 def test_two_threads_cannot_mix_their_states(explorer):
     def drag(view, value):
         for seq in range(30):
