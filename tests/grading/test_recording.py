@@ -181,3 +181,16 @@ def test_a_file_beside_the_notebook_is_a_part_of_it(assignment):
     save(assignment, graded(assignment))
     hand_in_at(assignment, "2026-10-02 13:00:00 UTC")
     assert is_graded(assignment, "right")
+
+
+def test_what_nbgraders_own_command_graded_is_graded_until_it_comes_at_another_time(assignment):
+    early, late = "2026-10-02 11:00:00 UTC", "2026-10-02 13:00:00 UTC"
+    hand_in_at(assignment, early)
+    assert not is_graded(assignment, "right")
+    final = assignment.autograded("right")
+    final.mkdir(parents=True)
+    assert not is_graded(assignment, "right")
+    (final / "timestamp.txt").write_text(early)
+    assert is_graded(assignment, "right")
+    hand_in_at(assignment, late)
+    assert not is_graded(assignment, "right")
