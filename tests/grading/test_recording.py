@@ -194,3 +194,31 @@ def test_what_nbgraders_own_command_graded_is_graded_until_it_comes_at_another_t
     assert is_graded(assignment, "right")
     hand_in_at(assignment, late)
     assert not is_graded(assignment, "right")
+
+
+def by_hand(assignment, points=None):
+    """Enter points by hand, if any; return whether a person must look at them."""
+    cell = "pinhole-dolly_zoom-check"
+    with Gradebook(assignment.db_url, assignment.course_id) as gradebook:
+        grade = gradebook.find_grade(cell, ASSIGNMENT, ASSIGNMENT, "right")
+        if points is not None:
+            grade.manual_score, grade.needs_manual_grade = points, False
+            gradebook.db.commit()
+        assert grade.manual_score in (None, 3.0)
+        return grade.needs_manual_grade
+
+
+def test_points_by_hand_stay_and_are_looked_at_again_if_anything_changed(assignment):
+    def again(score):
+        save(
+            assignment, graded(assignment, grades={ASSIGNMENT: {"pinhole-dolly_zoom-check": score}})
+        )
+        return by_hand(assignment)
+
+    assert not again(4.0)
+    by_hand(assignment, 3.0)
+    assert not again(4.0)
+    assert again(2.0)
+    by_hand(assignment, 3.0)
+    (assignment.submitted("right") / "helper.py").write_text("factor = 1")
+    assert again(2.0)
