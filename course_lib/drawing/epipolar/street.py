@@ -179,19 +179,22 @@ def forward(e: ArrayLike | None) -> Figure:
         }
         first.annotate("", xy=tuple(end), xytext=tuple(start), arrowprops=look)
     second.plot(*other[:40].T, "o", color=ROLES["camera"], ms=4, mec="white", mew=0.6)
-    yours = same_shape(e, np.zeros(2))
-    size = np.array([WIDTH, 3 * WIDTH // 4])
-    if yours is None or not np.isfinite(yours).all():
-        write(first, size * (0.5, 0.94), "no epipole yet", bbox=PAPER, fontsize=10)
-    elif ((yours < 0) | (yours > size)).any():
-        words = (
-            f"your epipole is outside: ({in_figures(yours[0], 0)}, {in_figures(yours[1], 0)}) px"
-        )
-        write(first, size * (0.5, 0.94), words, bbox=PAPER, fontsize=10)
-    else:
-        first.plot(*yours, "*", color=ROLES["object"], ms=17, mec="white")
-        write(first, yours + np.array([0, 26]), "epipole", "object", bbox=PAPER, fontsize=10)
+    _mark_epipole(first, same_shape(e, np.zeros(2)))
     return fig
+
+
+def _mark_epipole(ax: Axes, e: Floats | None) -> None:
+    """Mark a student's epipole, or say why there is none to be seen."""
+    size = np.array([WIDTH, 3 * WIDTH // 4])
+    if e is not None and ((e >= 0) & (e <= size)).all():
+        ax.plot(*e, "*", color=ROLES["object"], ms=17, mec="white")
+        write(ax, e + np.array([0, 26]), "epipole", "object", bbox=PAPER, fontsize=10)
+        return
+    words = "no epipole yet"
+    if e is not None and np.isfinite(e).all():
+        u, v = (in_figures(place, 0) for place in e)
+        words = f"your epipole is outside: ({u}, {v}) px"
+    write(ax, size * (0.5, 0.94), words, bbox=PAPER, fontsize=10)
 
 
 def forward_fundamental() -> Floats:
