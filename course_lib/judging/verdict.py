@@ -220,7 +220,8 @@ def _raised(given: Answer, reveal: bool) -> str:
     where = f" in the line `{given.line}`" if given.line else ""
     why = f": {given.message}" if given.message and reveal else ""
     words = advice(given.error, given.message)
-    return f"The function stopped with {given.error}{where}{why}. {words}".rstrip()
+    stop = "" if why.endswith((".", "?", "!")) else "."
+    return f"The function stopped with {given.error}{where}{why}{stop} {words}".rstrip()
 
 
 def _notes(answers: Sequence[Answer], judged: list[Feedback], reveal: bool) -> tuple[str, ...]:

@@ -168,6 +168,14 @@ def test_exceptions_are_put_in_plain_words():
     assert "np.array" in hidden.parts[0].feedback.message
 
 
+@pytest.mark.parametrize("told", ["a line ends", "a line ends.", "does a line end?"])
+def test_what_an_exception_says_ends_with_one_mark(told):
+    def stopped(values, factor):
+        raise ArithmeticError(told)
+
+    assert re.search(r"ends?[.?]( \w|$)", verdict(stopped).parts[0].feedback.message)
+
+
 def test_a_misconception_may_give_texts():
     def texts(values, factor):
         return [str(value) for value in values]
